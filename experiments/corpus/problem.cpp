@@ -1,0 +1,137 @@
+#include "experiments/corpus/problem.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/content_hash.h"
+#include "base/nearest_name.h"
+#include "base/yaml_reader.h"
+#include "experiments/corpus/random_polynomial.h"
+#include "expression/printer.h"
+
+namespace gcslab {
+namespace {
+
+struct Shape {
+  std::string kind;
+  std::size_t variables;  ///< 0: any number
+  std::size_t equations;
+};
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all = {
+      {"curve", 2, 1}, {"surface", 3, 1}, {"space_curve", 3, 2}, {"function", 0, 1}};
+  return all;
+}
+
+std::string optional_text(const YamlNode& node, std::string_view key) {
+  const auto value = node.find(key);
+  return value ? value->text() : "";
+}
+
+std::string required_text(const YamlNode& node, std::string_view key) {
+  const YamlNode value = node.at(key);
+  if (value.text().empty()) value.fail("is empty");
+  return value.text();
+}
+
+std::vector<std::vector<Rational>> read_points(const YamlNode& known, std::string_view key,
+                                               std::size_t variables) {
+  std::vector<std::vector<Rational>> points;
+  const auto list = known.find(key);
+  if (!list) return points;
+  for (const YamlNode& item : list->items()) {
+    std::vector<Rational> point;
+    for (const YamlNode& coordinate : item.items()) {
+      try {
+        point.push_back(rational_from_text(coordinate.text()));
+      } catch (const InputError& error) {
+        coordinate.fail(error.what());
+      }
+    }
+    if (point.size() != variables) item.fail("must have one coordinate a variable");
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+KnownFacts read_known(const YamlNode& problem, std::size_t variables) {
+  const auto known = problem.find("known");
+  if (!known) return {};
+  known->allow_keys({"points", "singular", "how"});
+  return {read_points(*known, "points", variables), read_points(*known, "singular", variables),
+          required_text(*known, "how")};
+}
+
+void check_shape(const YamlNode& file, const Problem& problem) {
+  const auto shape = std::ranges::find(shapes(), problem.kind, &Shape::kind);
+  const bool variables_fit = shape->variables == 0 || problem.system.variables.size() == shape->variables;
+  if (!variables_fit || problem.system.equations.size() != shape->equations) {
+    file.at("kind").fail("is " + problem.kind + ", which takes " +
+                         (shape->variables == 0 ? "any number of" : std::to_string(shape->variables)) +
+                         " variables and " + std::to_string(shape->equations) + " equation(s)");
+  }
+}
+
+}  // namespace
+
+std::vector<BoundTarget> Problem::targets() const {
+  std::vector<BoundTarget> result;
+  for (const Expression& equation : system.equations) {
+    result.emplace_back(system.graph, equation, static_cast<int>(system.variables.size()));
+  }
+  return result;
+}
+
+const std::vector<std::string>& function_kinds() {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names;
+    for (const Shape& shape : shapes()) names.push_back(shape.kind);
+    names.emplace_back("polynomial_family");
+    return names;
+  }();
+  return kinds;
+}
+
+std::string kind_of_file(const std::filesystem::path& path) {
+  return YamlNode::load_file(path).at("kind").text();
+}
+
+std::string problem_content_hash(const std::filesystem::path& path) {
+  const std::string kind = kind_of_file(path);
+  const bool has_equations = std::ranges::find(function_kinds(), kind) != function_kinds().end();
+  if (!has_equations || kind == "polynomial_family") return content_hash(read_file(path));
+  const EquationSystem system = load_problem(path).system;
+  std::string text = kind;
+  for (const std::string& variable : system.variables) text += "\n" + variable;
+  for (const Expression& equation : system.equations) text += "\n0 = " + to_text(equation, system.variables);
+  for (const Expression& inequality : system.inequalities)
+    text += "\n0 >= " + to_text(inequality, system.variables);
+  for (const Interval& side : system.box) text += fmt::format("\n[{:a}, {:a}]", side.lower, side.upper);
+  return content_hash(text);
+}
+
+Problem load_problem(const std::filesystem::path& path) {
+  const YamlNode file = YamlNode::load_file(path);
+  file.allow_keys({"kind", "name", "title", "variables", "equations", "generator", "inequalities", "box",
+                   "origin", "licence", "known", "notes"});
+  Problem problem;
+  problem.kind = file.at("kind").text();
+  if (std::ranges::find(function_kinds(), problem.kind) == function_kinds().end()) {
+    file.at("kind").fail(unknown_name_message("kind", problem.kind, function_kinds()));
+  }
+  problem.name = required_text(file, "name");
+  problem.title = optional_text(file, "title");
+  problem.origin = required_text(file, "origin");
+  problem.licence = required_text(file, "licence");
+  problem.notes = optional_text(file, "notes");
+  if (problem.kind == "polynomial_family") return problem;  // its members are made by the tasks
+  const auto generator = file.find("generator");
+  problem.system = generator ? read_generated_system(file, *generator) : read_equation_system(file);
+  problem.known = read_known(file, problem.system.variables.size());
+  check_shape(file, problem);
+  return problem;
+}
+
+}  // namespace gcslab

@@ -1,0 +1,54 @@
+#pragma once
+
+// Problems of the corpus that are given by functions over a box: curves, surfaces, space curves, functions.
+//
+// A problem file is YAML with the keys of the contract; unknown and duplicate keys are refused with file and
+// line. The equations are written out or come from a named generator.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "enclosure/bound_target.h"
+#include "expression/equation_system.h"
+
+namespace gcslab {
+
+/// What is known of the set of solutions, by means other than this program's solvers.
+struct KnownFacts {
+  std::vector<std::vector<Rational>> points;    ///< rational points of the set, exact
+  std::vector<std::vector<Rational>> singular;  ///< rational points where the gradients are dependent
+  std::string how;
+};
+
+struct Problem {
+  std::string name;
+  std::string kind;
+  std::string title;
+  EquationSystem system;
+  KnownFacts known;
+  std::string origin;
+  std::string licence;
+  std::string notes;
+
+  /// The functions that are to vanish, ready to be bounded.
+  std::vector<BoundTarget> targets() const;
+};
+
+/// Kinds that this reader knows: curve (2 variables, 1 equation), surface (3, 1), space_curve (3, 2),
+/// function (any, 1), and polynomial_family, which has no equation: a task makes a member for the degree and
+/// dimension that it wants.
+const std::vector<std::string>& function_kinds();
+
+/// The value of the key `kind`, for files of every kind.
+std::string kind_of_file(const std::filesystem::path& path);
+
+/// A hash of what answers can depend on: variables, equations, inequalities and box, but not names, origin or
+/// notes. For kinds without equations it is a hash of the whole file.
+std::string problem_content_hash(const std::filesystem::path& path);
+
+/// Reads a problem of one of the function kinds. Throws InputError with file and line.
+Problem load_problem(const std::filesystem::path& path);
+
+}  // namespace gcslab

@@ -1,0 +1,14 @@
+#pragma once
+
+// The kinds of figures, one file each.
+
+#include "experiments/reporting/figure.h"
+
+namespace gcslab {
+
+FigureKind cover_panels_kind();
+FigureKind range_bars_kind();
+FigureKind series_kind();
+FigureKind drawing_kind();
+
+}  // namespace gcslab

@@ -1,0 +1,45 @@
+#include "experiments/tasks/bound_methods.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "enclosure/bound_registry.h"
+#include "experiments/corpus/corpus.h"
+#include "experiments/corpus/problem.h"
+
+namespace gcslab {
+
+std::vector<MethodInfo> bound_methods() {
+  std::vector<MethodInfo> methods;
+  for (const BoundVariant& bound : bound_registry().entries()) {
+    methods.push_back({bound.name, bound.summary, Promise::rigorous, bound.version, bound.options});
+  }
+  return methods;
+}
+
+std::vector<std::unique_ptr<RangeBound>> make_bounds(const Problem& problem, const std::string& method,
+                                                     const Options& options) {
+  const BoundVariant& variant = bound_registry().at(method);
+  std::vector<std::unique_ptr<RangeBound>> bounds;
+  for (const BoundTarget& target : problem.targets()) {
+    try {
+      bounds.push_back(variant.make(target, options));
+    } catch (const NotApplicable& reason) {
+      throw NotApplicable(method + " " + reason.what());
+    }
+  }
+  return bounds;
+}
+
+Problem load_problem_of_kind(const std::string& name_or_path, const std::vector<std::string>& kinds) {
+  const std::filesystem::path path = Corpus::standard().problem_path(name_or_path);
+  const std::string kind = kind_of_file(path);
+  if (std::ranges::find(kinds, kind) == kinds.end()) {
+    throw InputError(
+        fmt::format("{}: is of kind '{}'; expected one of {}", path.string(), kind, fmt::join(kinds, ", ")));
+  }
+  return load_problem(path);
+}
+
+}  // namespace gcslab

@@ -1,0 +1,94 @@
+// The includes of the source tree follow the table of CONTRIBUTING.md.
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gcslab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What each folder may include directly; what those include comes with them.
+const std::map<std::string, std::vector<std::string>>& allowed() {
+  static const std::map<std::string, std::vector<std::string>> table = {
+      {"base", {}},
+      {"interval", {"base"}},
+      {"expression", {"interval"}},
+      {"polynomial", {"expression"}},
+      {"enclosure", {"polynomial"}},
+      {"covering", {"enclosure"}},
+  };
+  return table;
+}
+
+void add_reachable(const std::string& folder, std::set<std::string>& reachable) {
+  if (!reachable.insert(folder).second) return;
+  for (const std::string& next : allowed().at(folder)) add_reachable(next, reachable);
+}
+
+std::vector<std::string> quoted_includes(const fs::path& file) {
+  static const std::regex pattern("^#include \"([^\"]+)\"");
+  std::vector<std::string> result;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, pattern)) result.push_back(match[1]);
+  }
+  return result;
+}
+
+std::vector<fs::path> sources_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cpp") files.push_back(entry.path());
+  }
+  return files;
+}
+
+TEST(Architecture, LibFoldersIncludeOnlyWhatTheTableAllows) {
+  const fs::path lib = fs::path(GCSLAB_SOURCE_DIR) / "lib";
+  for (const auto& folder : fs::directory_iterator(lib)) {
+    if (!folder.is_directory()) continue;
+    const std::string name = folder.path().filename();
+    ASSERT_TRUE(allowed().contains(name)) << "lib/" << name << " has no line in the table of this test";
+    std::set<std::string> reachable;
+    add_reachable(name, reachable);
+    for (const fs::path& file : sources_below(folder)) {
+      for (const std::string& include : quoted_includes(file)) {
+        const std::string target = include.substr(0, include.find('/'));
+        EXPECT_TRUE(reachable.contains(target)) << file << " includes " << include;
+      }
+    }
+  }
+}
+
+TEST(Architecture, OnlyExperimentsReadClocksAndTheEnvironment) {
+  static const std::regex pattern("getenv|<chrono>|clock_gettime|system_clock|steady_clock");
+  for (const fs::path& file : sources_below(fs::path(GCSLAB_SOURCE_DIR) / "lib")) {
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+      EXPECT_FALSE(std::regex_search(line, pattern)) << file << ": " << line;
+    }
+  }
+}
+
+TEST(Architecture, FilesStayShort) {
+  for (const char* folder : {"lib", "experiments", "tests"}) {
+    for (const fs::path& file : sources_below(fs::path(GCSLAB_SOURCE_DIR) / folder)) {
+      std::ifstream stream(file);
+      int lines = 0;
+      for (std::string line; std::getline(stream, line);) ++lines;
+      EXPECT_LE(lines, 450) << file << " holds two ideas";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gcslab
