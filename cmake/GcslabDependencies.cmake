@@ -11,6 +11,7 @@ pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 if(GCSLAB_BUILD_TESTS)
   find_package(GTest REQUIRED)
+  find_package(valijson REQUIRED)  # an outside judge of configs/schema
 endif()
 if(GCSLAB_BUILD_BENCHMARKS)
   find_package(benchmark REQUIRED)

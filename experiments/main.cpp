@@ -1,6 +1,7 @@
 // gcslab: solvers for geometric constraint systems and polynomial systems, compared with proof.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <new>
@@ -15,6 +16,7 @@
 #include "experiments/commands/report_command.h"
 #include "experiments/commands/run_command.h"
 #include "experiments/commands/validate_command.h"
+#include "experiments/reporting/report.h"
 #include "experiments/tasks/registry.h"
 #include "interval/rounding_self_test.h"
 
@@ -64,12 +66,14 @@ int main_program(int argc, char** argv) {
     fmt::print(stderr, "gcslab: this build needs a processor with AVX2 and FMA (x86-64-v3)\n");
     return kFailedInside;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond RLIMIT_FSIZE is an error, not a death
   int exit_code = kDone;
   CLI::App app(kDescription, "gcslab");
   app.footer(kFooter);
   app.require_subcommand(1);
   app.set_version_flag("--version", GCSLAB_VERSION);
-  const Catalogue catalogue = standard_catalogue();
+  Catalogue catalogue = standard_catalogue();
+  catalogue.check_report_item = check_report_item;
   add_list_command(app, exit_code);
   add_describe_command(app, exit_code);
   add_cover_command(app, exit_code);

@@ -41,7 +41,6 @@ std::vector<ExperimentConfig> load_all(const std::vector<std::string>& files, co
   for (const std::string& file : files) {
     configs.push_back(load_experiment(file, catalogue));
     const ExperimentConfig& config = configs.back();
-    for (const ReportItem& item : config.report) check_report_item(item);
     if (!names.insert(config.experiment).second) {
       throw InputError(file + ": experiment '" + config.experiment + "' is the name of two configs");
     }

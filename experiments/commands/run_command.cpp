@@ -30,7 +30,7 @@ std::vector<ExperimentConfig> load_all(const std::vector<std::string>& files, co
     configs.push_back(load_experiment(file, catalogue));
     const std::string& name = configs.back().experiment;
     if (!names.insert(name).second)
-      throw InputError(file + ": experiment '" + name + "' is the name of two configs");
+      throw InputError({file, 0}, "experiment '" + name + "' is the name of two configs");
   }
   return configs;
 }

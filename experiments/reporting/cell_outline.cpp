@@ -48,6 +48,7 @@ class OutlineTracer {
       }
     }
     std::vector<GridPolygon> polygons;
+    polygons.reserve(outer.size());
     for (const std::size_t first : outer) polygons.push_back(polygon_from(first));
     return polygons;
   }

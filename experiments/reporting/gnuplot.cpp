@@ -57,6 +57,7 @@ std::string one_line(std::string text) {
 
 [[noreturn]] void become(const std::vector<std::string>& command, const fs::path& folder, int error_output) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const int nothing = ::open("/dev/null", O_RDWR);

@@ -58,7 +58,8 @@ void draw_legend(FigureScript& figure, const std::vector<std::string>& names, do
   for (std::size_t i = 0; i < names.size(); ++i) {
     const LineLook look = line_look(i);
     const double x = left + grid.column_width * static_cast<double>(i % grid.columns);
-    const double y = top - kLineHeight * (static_cast<double>(i / grid.columns) + 0.5);
+    const std::size_t line = i / grid.columns;
+    const double y = top - kLineHeight * (static_cast<double>(line) + 0.5);
     figure.rule(x, y, x + kSample, y, look.line_style());
     figure.command(fmt::format("set label '' at screen {:.5f},{:.5f} point pt {} ps 0.45 lc rgb '{}'",
                                (x + kSample / 2) / figure.width, y / figure.height, look.point_type,

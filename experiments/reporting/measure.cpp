@@ -126,7 +126,7 @@ std::string ValueName::heading() const {
 }
 
 std::string ValueName::unit() const {
-  const std::string above = unit_of(numerator_);
+  std::string above = unit_of(numerator_);
   const std::string below = denominator_.empty() ? "" : unit_of(denominator_);
   if (below.empty()) return above;
   return above == below ? "" : (above.empty() ? "1" : above) + "/" + below;

@@ -66,7 +66,7 @@ std::string shortened_path(std::string_view path) {
     } else if (step[0] == 'L' && next_x == x) {
       result += "V" + next_y;
     } else {
-      result += step.substr(0, 1) + next_x + "," + next_y;
+      result.append(1, step[0]).append(next_x).append(",").append(next_y);
     }
     x = next_x;
     y = next_y;

@@ -66,9 +66,10 @@ std::vector<std::pair<double, std::string>> powers(int first, int last) {
 /// The numbers 1, 2 and 5 times powers of ten from `low` to `high`.
 std::vector<double> one_two_five(double low, double high) {
   std::vector<double> result;
-  for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high; power *= 10) {
+  const int last = static_cast<int>(std::floor(std::log10(high)));
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); exponent <= last; ++exponent) {
     for (const double factor : {1.0, 2.0, 5.0}) {
-      const double value = factor * power;
+      const double value = factor * std::pow(10.0, exponent);
       if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) result.push_back(value);
     }
   }

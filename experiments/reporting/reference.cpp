@@ -54,9 +54,9 @@ std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::
 std::string place_of(const Json& row) {
   std::string place;
   for (const auto& [axis, text] : row.at("axes").items()) {
-    const std::string word = text.get<std::string>();
-    const bool is_named = axis != "problem" && axis != "method";
-    place += (place.empty() ? "" : ", ") + (is_named ? axis + " " + word : word);
+    if (!place.empty()) place += ", ";
+    if (axis != "problem" && axis != "method") place.append(axis).append(" ");
+    place += text.get<std::string>();
   }
   return place;
 }

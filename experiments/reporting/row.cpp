@@ -15,7 +15,7 @@ std::string Row::at(const std::string& axis) const {
 std::string place_text(const Row& row) {
   std::string text = row.at("problem") + ", " + row.at("method");
   for (const auto& [axis, value] : row.axes) {
-    if (axis != "problem" && axis != "method") text += ", " + axis + " " + value;
+    if (axis != "problem" && axis != "method") text.append(", ").append(axis).append(" ").append(value);
   }
   return text;
 }

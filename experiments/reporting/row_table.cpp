@@ -49,10 +49,7 @@ void fill(Row& row, const JobRow& found) {
 }
 
 Row load_row(Row row, const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) {
-    row.reason = "this job has not been run";
-    return row;
-  }
+  if (!std::filesystem::exists(file)) return row;
   try {
     fill(row, row_from_text(read_file(file)));
   } catch (const InputError& error) {
@@ -76,6 +73,7 @@ std::vector<std::string> RowTable::values_of(const std::string& axis) const {
 RowTable load_rows(const std::vector<Job>& plan, const std::vector<std::string>& parameters,
                    const std::filesystem::path& jobs_folder) {
   std::vector<Row> rows;
+  rows.reserve(plan.size());
   for (const Job& job : plan) {
     rows.push_back(load_row(planned_row(job, parameters), jobs_folder / (job.id() + ".json")));
   }
@@ -108,6 +106,7 @@ AxisKey key_of(const Row& row, const std::vector<std::string>& axes) {
 
 std::vector<AxisKey> keys_on(const RowPointers& rows, const std::vector<std::string>& axes) {
   std::vector<std::vector<std::string>> order;
+  order.reserve(axes.size());
   for (const std::string& axis : axes) order.push_back(texts_on(rows, axis));
   std::map<std::vector<std::ptrdiff_t>, AxisKey> sorted;
   for (const Row* row : rows) {
@@ -118,6 +117,7 @@ std::vector<AxisKey> keys_on(const RowPointers& rows, const std::vector<std::str
     sorted.emplace(rank, key);
   }
   std::vector<AxisKey> keys;
+  keys.reserve(sorted.size());
   for (const auto& [rank, key] : sorted) keys.push_back(key);
   return keys;
 }

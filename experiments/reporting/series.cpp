@@ -189,15 +189,18 @@ class SeriesFigure {
     panel_width_ = (figure_.width - left_ - kRightMargin - gap_ * (columns - 1)) / columns;
     panel_height_ = std::min(panel_width_ * 0.72, 60.0);
     title_height_ = has_titles() ? kTitleHeight : 1.5;
-    const auto lines = static_cast<double>((panels_.size() + per_line_ - 1) / per_line_);
+    const std::size_t lines = (panels_.size() + per_line_ - 1) / per_line_;
     legend_ = legend_height(line_names_, figure_.width);
-    figure_.height = lines * (title_height_ + panel_height_ + kAxisHeight) + legend_ + 0.5;
+    figure_.height =
+        static_cast<double>(lines) * (title_height_ + panel_height_ + kAxisHeight) + legend_ + 0.5;
   }
 
   PanelBox box_of(std::size_t index) const {
     const auto column = static_cast<double>(index % per_line_);
-    const auto line = static_cast<double>(index / per_line_);
-    const double top = figure_.height - line * (title_height_ + panel_height_ + kAxisHeight) - title_height_;
+    const std::size_t line = index / per_line_;
+    const double top = figure_.height -
+                       static_cast<double>(line) * (title_height_ + panel_height_ + kAxisHeight) -
+                       title_height_;
     return {left_ + column * (panel_width_ + gap_), top - panel_height_, panel_width_, panel_height_};
   }
 

@@ -92,7 +92,7 @@ void TableEntries::measure_all() {
 }
 
 std::optional<Measure> TableEntries::measure_of(const AxisKey& key, const Quantity& quantity) const {
-  const std::optional<Measure> found = measure(rows_at(rows_, axes_, key), quantity.value);
+  std::optional<Measure> found = measure(rows_at(rows_, axes_, key), quantity.value);
   if (quantity.relative_to.empty() || !found) return found;
   const auto reference =
       measure(rows_at(rows_, axes_, with_method(key, quantity.relative_to)), quantity.value);

@@ -96,6 +96,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Limi
   std::vector<std::string> texts = {"gcslab"};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
   int ends[2];
@@ -179,6 +180,7 @@ void ChildProcess::reap() {
 
 void wait_for_activity(const std::vector<const ChildProcess*>& children) {
   std::vector<pollfd> watched;
+  watched.reserve(children.size());
   for (const ChildProcess* child : children) watched.push_back({child->output_descriptor(), POLLIN, 0});
   poll(watched.data(), watched.size(), kPollMilliseconds);
 }

@@ -32,7 +32,7 @@ auto at_place(const YamlNode& node, Read read) {
 /// A word that is one of `known`.
 inline std::string known_word(const YamlNode& node, std::string_view what,
                               const std::vector<std::string>& known) {
-  const std::string word = node.text();
+  std::string word = node.text();
   for (const std::string& name : known) {
     if (name == word) return word;
   }

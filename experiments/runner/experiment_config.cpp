@@ -213,7 +213,7 @@ ExperimentConfig read_config(const YamlNode& root, const std::filesystem::path& 
 }  // namespace
 
 std::string file_name_word(const YamlNode& node) {
-  const std::string word = node.text();
+  std::string word = node.text();
   const bool plain = std::ranges::all_of(word, [](unsigned char c) {
     return c < 128 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
   });

@@ -25,6 +25,7 @@ std::vector<Options> parameter_combinations(const ExperimentConfig& config) {
     combinations = std::move(longer);
   }
   std::vector<Options> result;
+  result.reserve(combinations.size());
   for (const Texts& texts : combinations)
     result.emplace_back(config.declared_parameters, texts, "task " + config.task);
   return result;

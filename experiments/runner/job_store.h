@@ -31,7 +31,7 @@ std::string_view name_of(JobState::Kind kind);
 /// old rows stand again. Does not lock the folder (RunFolder does) and makes nothing until a row is saved.
 class JobStore {
  public:
-  explicit JobStore(std::filesystem::path run_folder) : jobs_(std::move(run_folder) / "jobs") {}
+  explicit JobStore(const std::filesystem::path& run_folder) : jobs_(run_folder / "jobs") {}
 
   std::filesystem::path file_of(const std::string& job_id) const { return jobs_ / (job_id + ".json"); }
 

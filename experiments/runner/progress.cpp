@@ -1,5 +1,6 @@
 #include "experiments/runner/progress.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -54,7 +55,7 @@ void Progress::clear_line() {
 }
 
 std::string duration_text(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);

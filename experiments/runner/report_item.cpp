@@ -46,7 +46,7 @@ std::vector<std::string> known_words(const YamlNode& node, const char* what,
 
 /// A value or a quotient of two.
 std::string read_value(const YamlNode& node, const std::vector<std::string>& known) {
-  const std::string text = node.text();
+  std::string text = node.text();
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return known_word(node, "value", known);
   for (const std::string& part : {text.substr(0, slash), text.substr(slash + 1)}) {

@@ -57,7 +57,8 @@ void show_states(const ExperimentConfig& config, const Plan& plan, const RunOpti
   std::map<JobState::Kind, std::size_t> count;
   for (const PlannedJob& planned : plan) ++count[planned.state.kind];
   const Shard& shard = options.shard;
-  out << fmt::format("{}: {} jobs{}: {} cached, {} stale, {} fresh\n", config.experiment, plan.size(),
+  out << fmt::format("{}: {} {}{}: {} cached, {} stale, {} fresh\n", config.experiment, plan.size(),
+                     plan.size() == 1 ? "job" : "jobs",
                      shard.count > 1 ? fmt::format(" in shard {}/{}", shard.index, shard.count) : "",
                      count[JobState::Kind::cached], count[JobState::Kind::stale],
                      count[JobState::Kind::fresh])

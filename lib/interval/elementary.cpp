@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <mpfr.h>
+#include <optional>
 
+#include "interval/accurate_functions.h"
 #include "interval/quadrant.h"
+#include "interval/rounding.h"
 
 namespace gcslab::elementary {
 namespace {
@@ -53,23 +56,70 @@ Interval around(mpfr_ptr value, int ternary, Ends ends) {
   return {lower + 0.0, upper + 0.0};  // no -0
 }
 
-using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-
-/// The doubles around f(x); an infinite x stands for the limit.
-Interval at(Function f, double x, Ends ends) {
-  Workspace& w = workspace();
-  mpfr_set_d(w.argument, x, MPFR_RNDN);
-  return around(w.value, f(w.value, w.argument, first_rounding(ends)), ends);
+/// The doubles around a number known to lie in [v - e, v + e]; none if that does not settle both roundings.
+/// Each pair of sums bounds the rounded end from both sides: where they agree, they are it.
+std::optional<Interval> settled_outward(const AccurateValue& v) {
+  const double upper = rounded_add(v.high, rounded_add(v.low, v.error));
+  if (upper != rounded_add(v.high, -rounded_subtract(v.error, v.low))) return std::nullopt;
+  const double minus_lower = rounded_add(-v.high, rounded_subtract(v.error, v.low));
+  if (minus_lower != rounded_add(-v.high, -rounded_add(v.low, v.error))) return std::nullopt;
+  return Interval(0.0 - minus_lower, upper);
 }
 
-Interval increasing(Function f, const Interval& x, Ends ends) {
+/// The error counts twice, as the inner sums are rounded: by far less, since |low| is below 2^-10 |high|.
+std::optional<Interval> settled_to_nearest(const AccurateValue& v) {
+  const double nearest = rounded_add(v.high, rounded_add(v.low, 2 * v.error));
+  if (nearest != rounded_add(v.high, rounded_subtract(v.low, 2 * v.error))) return std::nullopt;
+  return Interval(nearest);
+}
+
+/// The result without MPFR, in most cases.
+std::optional<Interval> quickly(AccurateFunction f, double x, Ends ends) {
+  if (ends == Ends::to_nearest) {
+    const NearestRounding nearest;
+    const AccurateValue value = f(opaque(x));
+    return value.known ? settled_to_nearest(value) : std::nullopt;
+  }
+  const UpwardRounding upward;
+  const AccurateValue value = f(opaque(x));
+  return value.known ? settled_outward(value) : std::nullopt;
+}
+
+/// A function by MPFR, and by double arithmetic where there is such a way.
+struct Function {
+  int (*exact)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+  AccurateFunction quick = nullptr;
+};
+
+constexpr Function kSqrt{mpfr_sqrt};
+constexpr Function kCbrt{mpfr_cbrt};
+constexpr Function kExp{mpfr_exp, accurate_exp};
+constexpr Function kLog{mpfr_log, accurate_log};
+constexpr Function kSin{mpfr_sin, accurate_sin};
+constexpr Function kCos{mpfr_cos, accurate_cos};
+constexpr Function kTan{mpfr_tan, accurate_tan};
+constexpr Function kAsin{mpfr_asin};
+constexpr Function kAcos{mpfr_acos};
+constexpr Function kAtan{mpfr_atan, accurate_atan};
+
+/// The doubles around f(x); an infinite x stands for the limit.
+Interval at(const Function& f, double x, Ends ends) {
+  if (f.quick != nullptr) {
+    if (const auto result = quickly(f.quick, x, ends)) return *result;
+  }
+  Workspace& w = workspace();
+  mpfr_set_d(w.argument, x, MPFR_RNDN);
+  return around(w.value, f.exact(w.value, w.argument, first_rounding(ends)), ends);
+}
+
+Interval increasing(const Function& f, const Interval& x, Ends ends) {
   if (is_empty(x)) return x;
   const Interval low = at(f, x.lower, ends);
   const Interval high = is_singleton(x) ? low : at(f, x.upper, ends);
   return {low.lower, high.upper};
 }
 
-Interval decreasing(Function f, const Interval& x, Ends ends) {
+Interval decreasing(const Function& f, const Interval& x, Ends ends) {
   if (is_empty(x)) return x;
   const Interval high = at(f, x.lower, ends);
   const Interval low = is_singleton(x) ? high : at(f, x.upper, ends);
@@ -77,7 +127,7 @@ Interval decreasing(Function f, const Interval& x, Ends ends) {
 }
 
 /// sin or cos, whose maxima and minima lie at the multiples k pi/2 with k = maximum or minimum modulo 4.
-Interval periodic(Function f, int maximum, int minimum, const Interval& x, Ends ends) {
+Interval periodic(const Function& f, int maximum, int minimum, const Interval& x, Ends ends) {
   if (is_empty(x)) return x;
   if (!is_bounded(x) || x.upper - x.lower > 6.5) return {-1, 1};
   const QuadrantSpan span = quadrant_span(x.lower, x.upper);
@@ -133,30 +183,30 @@ Interval mirrored(const Interval& x) { return is_empty(x) ? x : Interval(0.0 - x
 }  // namespace
 
 Interval sqrt(const Interval& x, Ends ends) {
-  return increasing(mpfr_sqrt, intersection(x, {0, kInfinity}), ends);
+  return increasing(kSqrt, intersection(x, {0, kInfinity}), ends);
 }
 
-Interval cbrt(const Interval& x, Ends ends) { return increasing(mpfr_cbrt, x, ends); }
-Interval exp(const Interval& x, Ends ends) { return increasing(mpfr_exp, x, ends); }
+Interval cbrt(const Interval& x, Ends ends) { return increasing(kCbrt, x, ends); }
+Interval exp(const Interval& x, Ends ends) { return increasing(kExp, x, ends); }
 
 Interval log(const Interval& x, Ends ends) {
   if (!(x.upper > 0)) return Interval::empty();
-  return increasing(mpfr_log, {std::max(x.lower, 0.0), x.upper}, ends);
+  return increasing(kLog, {std::max(x.lower, 0.0), x.upper}, ends);
 }
 
-Interval sin(const Interval& x, Ends ends) { return periodic(mpfr_sin, 1, 3, x, ends); }
-Interval cos(const Interval& x, Ends ends) { return periodic(mpfr_cos, 0, 2, x, ends); }
+Interval sin(const Interval& x, Ends ends) { return periodic(kSin, 1, 3, x, ends); }
+Interval cos(const Interval& x, Ends ends) { return periodic(kCos, 0, 2, x, ends); }
 
 Interval tan(const Interval& x, Ends ends) {
   if (is_empty(x)) return x;
   if (!is_bounded(x) || x.upper - x.lower > 3.5) return Interval::entire();
   if (quadrant_span(x.lower, x.upper).crosses_odd()) return Interval::entire();
-  return increasing(mpfr_tan, x, ends);
+  return increasing(kTan, x, ends);
 }
 
-Interval asin(const Interval& x, Ends ends) { return increasing(mpfr_asin, intersection(x, {-1, 1}), ends); }
-Interval acos(const Interval& x, Ends ends) { return decreasing(mpfr_acos, intersection(x, {-1, 1}), ends); }
-Interval atan(const Interval& x, Ends ends) { return increasing(mpfr_atan, x, ends); }
+Interval asin(const Interval& x, Ends ends) { return increasing(kAsin, intersection(x, {-1, 1}), ends); }
+Interval acos(const Interval& x, Ends ends) { return decreasing(kAcos, intersection(x, {-1, 1}), ends); }
+Interval atan(const Interval& x, Ends ends) { return increasing(kAtan, x, ends); }
 
 Interval pow(const Interval& x, const Rational& exponent, Ends ends) {
   if (is_empty(x)) return x;

@@ -134,7 +134,7 @@ class PowerExtension {
   PowerExtension(PowerRule rule, Evaluate evaluate) : rule_(rule), evaluate_(std::move(evaluate)) {}
 
   MpfrInterval operator()(const MpfrInterval& x) const {
-    const MpfrInterval right = on_nonnegative(cut(x, 0, kInfinity));
+    MpfrInterval right = on_nonnegative(cut(x, 0, kInfinity));
     if (rule_.even_denominator || mpfr_sgn(x.lower()) >= 0) return right;
     const MpfrInterval left = on_nonnegative(-cut(x, -kInfinity, 0));
     return hull(right, rule_.even_numerator ? left : -left);
@@ -310,7 +310,7 @@ MpfrInterval atan(const MpfrInterval& x) { return increasing(mpfr_atan, x); }
 
 MpfrInterval abs(const MpfrInterval& x) {
   if (x.is_empty() || mpfr_sgn(x.lower()) >= 0) return x;
-  const MpfrInterval mirrored = -x;
+  MpfrInterval mirrored = -x;
   if (mpfr_sgn(x.upper()) <= 0) return mirrored;
   return {number(0), rounded(mpfr_max, x.upper(), mirrored.upper(), MPFR_RNDU)};
 }

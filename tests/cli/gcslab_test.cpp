@@ -59,18 +59,17 @@ class Gcslab : public testing::Test {
   fs::path folder_;
 };
 
-constexpr const char* kCircle = R"(kind: curve
+constexpr const char* kCircle = R"yaml(kind: curve
 name: circle
 title: A circle
 variables: [x, y]
 equations: ["x^2 + y^2 = 1"]
-box: {x: [-2, 2], y: [-2, "sqrt(4)"]
-}
+box: {x: [-2, 2], y: [-2, "sqrt(4)"]}
 origin: test
 licence: none
-)";
+)yaml";
 
-constexpr const char* kConfig = R"(experiment: tiny
+constexpr const char* kConfig = R"yaml(experiment: tiny
 title: Tiny
 task: cover
 problems: [curves/folium]
@@ -79,7 +78,7 @@ parameters: {depth: 4}
 report:
   - table: {file: cells, rows: problem, columns: method, values: [kept_cells, wall_s], best: min}
   - figure: {file: covers, kind: cover_panels, rows: problem, columns: method}
-)";
+)yaml";
 
 TEST_F(Gcslab, ListsWhatThereIs) {
   const Answer methods = shell("$gcslab list methods --kind cover");
@@ -193,10 +192,16 @@ TEST_F(Gcslab, ValidatesProblemsSuitesAndConfigs) {
   write("circle.yaml", kCircle);
   write("config.yaml", kConfig);
   write("bad.yaml", std::string(kConfig) + "titel: x\n");
+  std::string misspelt = kConfig;
+  misspelt.replace(misspelt.find("cover_panels"), 12, "cover_panel ");
+  write("kind.yaml", misspelt);
   EXPECT_EQ(shell("$gcslab validate circle.yaml config.yaml").exit_code, 0);
   const Answer bad = shell("$gcslab validate bad.yaml circle.yaml");
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_TRUE(has(bad.out + bad.err, "bad.yaml:10: unknown key 'titel' (did you mean 'title'?)")) << bad.out;
+  const Answer kind = shell("$gcslab run kind.yaml");
+  EXPECT_EQ(kind.exit_code, 2);
+  EXPECT_TRUE(has(kind.err, "did you mean 'cover_panels'")) << kind.err;
   const Answer all = shell("$gcslab validate $(find " GCSLAB_SOURCE_DIR "/data " GCSLAB_SOURCE_DIR
                            "/configs -name '*.yaml')");
   EXPECT_EQ(all.exit_code, 0) << all.out;

@@ -75,7 +75,9 @@ TEST(JobPlan, ProblemsOfEqualContentAreRefused) {
 
 // A committed name: changing how jobs are named makes every row that exists useless, which must not happen
 // unnoticed.
-TEST(JobId, IsTheSameOnEveryMachineAndInEveryVersion) { EXPECT_EQ(one_job().id(), "11abc45423a77454eea55a1d79d42e71"); }
+TEST(JobId, IsTheSameOnEveryMachineAndInEveryVersion) {
+  EXPECT_EQ(one_job().id(), "11abc45423a77454eea55a1d79d42e71");
+}
 
 TEST(JobId, DependsOnAllThatTheAnswerMayDependOn) {
   const Job job = one_job();
