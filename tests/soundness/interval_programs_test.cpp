@@ -186,8 +186,8 @@ TYPED_TEST_SUITE(IntervalPrograms, RigorousTypes);
 
 TYPED_TEST(IntervalPrograms, EncloseEveryRegisterAtRandomPoints) {
   Random random(fuzz_seed(), "interval_programs");
-  std::size_t checked = 0;
-  for (std::size_t i = fuzz_cases(10000); i > 0; --i) {
+  std::size_t checked = 0;  // a case is one register compared
+  for (std::size_t i = 0; checked < fuzz_cases(100'000); ++i) {
     const Program program = random_program(random);
     const std::vector<Interval> point = random_point(random, program);
     std::vector<MpfrInterval> truth;
@@ -208,7 +208,6 @@ TYPED_TEST(IntervalPrograms, EncloseEveryRegisterAtRandomPoints) {
       ASSERT_TRUE(holds_more(values[r], truth[r], program, point)) << "case " << i << ", register " << r;
     }
   }
-  EXPECT_GT(checked, 8 * fuzz_cases(10000));
 }
 
 }  // namespace
