@@ -288,7 +288,7 @@ TEST_P(IntervalOperations, EncloseTheTrueValueAtMembersOfRandomOperands) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Operations, IntervalOperations, ::testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& entry) { return std::string(entry.param.name); });
 
 /// An MPFR interval has no limits of exponent, so that its ends, rounded once more to double, are the
 /// tightest.
