@@ -1,13 +1,18 @@
 // gcslab: solvers for geometric constraint systems and polynomial systems, compared with proof.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <new>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "experiments/commands/cover_command.h"
 #include "experiments/commands/describe_command.h"
 #include "experiments/commands/exit_code.h"
@@ -37,13 +42,40 @@ int complain(const std::exception& error, ExitCode code) {
   return code;
 }
 
+/// A misspelt command or option, with the nearest known one.
+std::optional<std::string> usage_fault(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2) return std::nullopt;
+  std::vector<std::string> commands;
+  const CLI::App* chosen = nullptr;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_group().empty()) commands.push_back(command->get_name());
+    if (command->get_name() == argv[1]) chosen = command;
+  }
+  if (chosen == nullptr) {
+    if (argv[1][0] == '-') return std::nullopt;
+    return unknown_name_message("command", argv[1], commands);
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : chosen->get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (word.starts_with("--") && std::ranges::find(options, word) == options.end()) {
+      return unknown_name_message("option", word, options);
+    }
+  }
+  return std::nullopt;
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) {
   try {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help
-    fmt::print(stderr, "gcslab: {} (see gcslab --help)\n", error.what());
+    fmt::print(stderr, "gcslab: {} (see gcslab --help)\n",
+               usage_fault(app, argc, argv).value_or(error.what()));
     return kBadInput;
   } catch (const InputError& error) {
     return complain(error, kBadInput);

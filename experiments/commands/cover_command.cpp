@@ -1,24 +1,28 @@
 #include "experiments/commands/cover_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 
 #include "base/atomic_file.h"
 #include "covering/cover.h"
 #include "enclosure/bound_registry.h"
-#include "experiments/reporting/cover_picture.h"
 #include "experiments/commands/exit_code.h"
 #include "experiments/commands/interruption.h"
 #include "experiments/corpus/problem.h"
 #include "experiments/provenance.h"
+#include "experiments/reporting/cover_picture.h"
 #include "experiments/tasks/bound_methods.h"
 #include "experiments/tasks/job_result.h"
+#include "experiments/tasks/memory_use.h"
 #include "experiments/tasks/stopwatch.h"
 
 namespace gcslab {
 namespace {
+
+constexpr int kMaximumDepth = 30;
 
 struct Settings {
   std::string problem;
@@ -33,6 +37,15 @@ struct Settings {
   std::string figure;
 };
 
+CLI::Validator positive_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const double number = std::strtod(text.c_str(), nullptr);
+        return number > 0 && std::isfinite(number) ? "" : "must be a positive number";
+      },
+      "POSITIVE");
+}
+
 std::map<std::string, std::string> option_texts(const std::vector<std::string>& assignments) {
   std::map<std::string, std::string> texts;
   for (const std::string& assignment : assignments) {
@@ -45,12 +58,17 @@ std::map<std::string, std::string> option_texts(const std::vector<std::string>& 
   return texts;
 }
 
-/// bernstein where every function is a polynomial, else the best of those that take everything.
+/// bernstein where it takes every function, else a bound that takes them all.
 std::string default_method(const Problem& problem) {
-  for (const BoundTarget& target : problem.targets()) {
-    if (!target.is_polynomial()) return "centred";
+  try {
+    const Options defaults(bound_registry().at("bernstein").options, {}, "bernstein");
+    for (const auto& bound : make_bounds(problem, "bernstein", defaults).equations) {
+      static_cast<void>(bound->walk(problem.system.box, 0));
+    }
+    return "bernstein";
+  } catch (const NotApplicable&) {
+    return "centred";
   }
-  return "bernstein";
 }
 
 Json box_json(const Box& box) {
@@ -62,10 +80,6 @@ Json box_json(const Box& box) {
 /// The result of the contract.
 Json result_json(const Settings& settings, const Options& options, const Cover& found, Promise promise,
                  const Json& statistics) {
-  Json kept = Json::array();
-  found.tree.for_each_leaf([&](const CoverLeaf& leaf) {
-    if (leaf.kept) kept.push_back(box_json(leaf.box));
-  });
   Json values = Json::object();
   for (const auto& [name, value] : options.values()) values[name] = to_string(value);
   Status status = promise == Promise::rigorous ? Status::complete : Status::partial;
@@ -78,7 +92,7 @@ Json result_json(const Settings& settings, const Options& options, const Cover& 
                  {"depth", found.tree.depth()},
                  {"split", std::string(name_of(found.tree.split()))},
                  {"domain", box_json(found.tree.domain())},
-                 {"kept_cells", kept.size()},
+                 {"kept_cells", found.tree.kept_cells()},
                  {"visited_cells", found.tree.visited_cells()},
                  {"visited_per_level", found.tree.visited_per_level()},
                  {"status", std::string(name_of(status))},
@@ -87,8 +101,15 @@ Json result_json(const Settings& settings, const Options& options, const Cover& 
   if (!found.undecided.empty()) {
     for (const Box& box : found.undecided) result["undecided"].push_back(box_json(box));
   }
-  result["kept"] = std::move(kept);
   return result;
+}
+
+void add_kept_cells(Json& result, const CoverTree& tree) {
+  Json kept = Json::array();
+  tree.for_each_leaf([&](const CoverLeaf& leaf) {
+    if (leaf.kept) kept.push_back(box_json(leaf.box));
+  });
+  result["kept"] = std::move(kept);
 }
 
 void print_summary(const Settings& settings, const Json& result) {
@@ -116,7 +137,8 @@ int run(Settings settings) {
   const Cover found = cover(bounds, problem.system.box, cover_options, interruption.token());
   const Json statistics = {
       {"wall_s", watch.wall_s()}, {"cpu_s", watch.cpu_s()}, {"peak_rss_mb", peak_rss_mb()}};
-  const Json result = result_json(settings, options, found, variant.promise(options), statistics);
+  Json result = result_json(settings, options, found, variant.promise(options), statistics);
+  if (!settings.json.empty()) add_kept_cells(result, found.tree);
   if (!settings.json.empty() && settings.json != "-")
     write_file_atomically(settings.json, result.dump(1) + "\n");
   if (!settings.figure.empty()) write_cover_picture(problem, found.tree, settings.method, settings.figure);
@@ -142,10 +164,10 @@ void add_cover_command(CLI::App& app, int& exit_code) {
       "--method", settings->method,
       "range bound (default: bernstein for polynomials, centred otherwise); see gcslab list methods");
   auto* depth = command->add_option("--depth", settings->depth, "halvings of every variable")
-                    ->check(CLI::Range(0, 30))
+                    ->check(CLI::Range(0, kMaximumDepth))
                     ->capture_default_str();
   command->add_option("--cell-size", settings->cell_size, "largest width of a cell, in place of --depth")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->excludes(depth);
   command->add_option("--split", settings->split, "halve all variables at once, or one after the other")
       ->check(CLI::IsMember({"all", "alternate"}))
@@ -153,9 +175,11 @@ void add_cover_command(CLI::App& app, int& exit_code) {
   command->add_option("--box", settings->box, "another box, such as \"x=[-3,3],y=[0,1]\"");
   command->add_option("--set", settings->options, "option=value of the method; see gcslab describe METHOD");
   command->add_option("--timeout", settings->timeout_s, "stop after this many seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_option("--json", settings->json, "write the result here; - is standard output");
-  command->add_option("--figure", settings->figure, "draw the cover of a plane curve: FILE.svg or FILE.pdf");
+  command->add_option("--figure", settings->figure,
+                      "draw the cover of a plane curve: FILE.svg or FILE.pdf, with its data and gnuplot "
+                      "script (.dat, .gp) beside it");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

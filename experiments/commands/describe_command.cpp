@@ -125,7 +125,8 @@ Json description(const std::string& name) {
   const Corpus corpus = Corpus::standard();
   const auto problems = corpus.problems(), suites = corpus.suites(), configs = corpus.configs();
   if (const CorpusEntry* problem = find_named(problems, name)) return problem_json(*problem);
-  if (const CorpusEntry* suite = find_named(suites, name)) return file_json(*suite, "suite");
+  const std::string suite_name = name.starts_with("suite:") ? name.substr(6) : name;
+  if (const CorpusEntry* suite = find_named(suites, suite_name)) return file_json(*suite, "suite");
   if (const CorpusEntry* config = find_named(configs, name)) return file_json(*config, "config");
   std::vector<std::string> known;
   for (const TaskEntry& entry : task_registry().entries()) {
@@ -180,6 +181,7 @@ void add_describe_command(CLI::App& app, int& exit_code) {
       fmt::print("{}\n", about.dump(2));
     } else {
       for (const auto& [key, value] : about.items()) {
+        if ((value.is_array() || value.is_object()) && value.empty()) continue;
         fmt::print("{}:", key);
         print_value(value, "  ");
       }

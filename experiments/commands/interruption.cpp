@@ -1,8 +1,6 @@
 #include "experiments/commands/interruption.h"
 
 #include <chrono>
-#include <sys/resource.h>
-
 namespace gcslab {
 
 Interruption::Interruption(double timeout_s) : watcher_([this, timeout_s] { watch(timeout_s); }) {}
@@ -24,12 +22,6 @@ void Interruption::watch(double timeout_s) {
     if (InterruptGuard::interrupted() || (timeout_s > 0 && elapsed.count() > timeout_s))
       source_.request_stop();
   }
-}
-
-double peak_rss_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
 }
 
 }  // namespace gcslab

@@ -34,7 +34,4 @@ class Interruption {
   std::thread watcher_;
 };
 
-/// Largest resident memory of this process so far, in MB of 10^6 bytes.
-double peak_rss_mb();
-
 }  // namespace gcslab

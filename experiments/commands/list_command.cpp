@@ -91,6 +91,8 @@ void add_list_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", settings->json, "machine-readable");
   command->callback([settings, &exit_code] {
     std::vector<ListedItem> items = items_of(settings->what);
+    if (!settings->kind.empty() && settings->what == "suites")
+      throw InputError("--kind: suites have no kinds");
     if (!settings->kind.empty()) {
       std::vector<std::string> kinds;
       for (const ListedItem& item : items) {

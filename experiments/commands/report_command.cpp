@@ -34,20 +34,6 @@ ReportOptions options_from(const ReportArguments& arguments) {
   return options;
 }
 
-/// All configs are read before the first report is written.
-std::vector<ExperimentConfig> load_all(const std::vector<std::string>& files, const Catalogue& catalogue) {
-  std::vector<ExperimentConfig> configs;
-  std::set<std::string> names;
-  for (const std::string& file : files) {
-    configs.push_back(load_experiment(file, catalogue));
-    const ExperimentConfig& config = configs.back();
-    if (!names.insert(config.experiment).second) {
-      throw InputError(file + ": experiment '" + config.experiment + "' is the name of two configs");
-    }
-  }
-  return configs;
-}
-
 void print_verdict(const ReportRecord& record) {
   constexpr std::size_t kMost = 20;
   const std::vector<std::string>& lines = record.verdict.lines;
@@ -90,7 +76,7 @@ int report(const ReportArguments& arguments, const Catalogue& catalogue) {
   const ReportOptions options = options_from(arguments);
   const CurveSource curves = corpus_curves();
   bool all_agree = true;
-  for (const ExperimentConfig& config : load_all(arguments.configs, catalogue)) {
+  for (const ExperimentConfig& config : load_experiments(arguments.configs, catalogue)) {
     all_agree = report_one(config, catalogue, options, curves, arguments.accept) && all_agree;
   }
   for (const std::string& problem : write_index(options.out))

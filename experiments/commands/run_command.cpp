@@ -6,14 +6,13 @@
 #include <set>
 
 #include "base/error.h"
+#include "experiments/commands/exit_code.h"
 #include "experiments/runner/experiment_config.h"
 #include "experiments/runner/run_experiment.h"
 #include "experiments/tasks/catalogue.h"
 
 namespace gcslab {
 namespace {
-
-constexpr int kIncomplete = 3;
 
 struct RunArguments {
   std::vector<std::string> configs;
@@ -22,26 +21,13 @@ struct RunArguments {
   RunOptions options;
 };
 
-/// All configs are read before the first job starts: a fault in the last one costs no time.
-std::vector<ExperimentConfig> load_all(const std::vector<std::string>& files, const Catalogue& catalogue) {
-  std::vector<ExperimentConfig> configs;
-  std::set<std::string> names;
-  for (const std::string& file : files) {
-    configs.push_back(load_experiment(file, catalogue));
-    const std::string& name = configs.back().experiment;
-    if (!names.insert(name).second)
-      throw InputError({file, 0}, "experiment '" + name + "' is the name of two configs");
-  }
-  return configs;
-}
-
 int run(RunArguments& arguments, const Catalogue& catalogue) {
   arguments.options.runs = arguments.runs;
   arguments.options.shard = Shard::parse(arguments.shard);
-  for (const ExperimentConfig& config : load_all(arguments.configs, catalogue)) {
-    if (run_experiment(config, arguments.options, std::cout).interrupted) return kIncomplete;
+  for (const ExperimentConfig& config : load_experiments(arguments.configs, catalogue)) {
+    if (run_experiment(config, arguments.options, std::cout).interrupted) return kBudgetExhausted;
   }
-  return 0;
+  return kDone;
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ std::vector<std::vector<Rational>> read_points(const YamlNode& known, std::strin
 KnownFacts read_known(const YamlNode& problem, std::size_t variables) {
   const auto known = problem.find("known");
   if (!known) return {};
-  known->allow_keys({"points", "singular", "how"});
+  known->allow_keys({"points", "singular", "real_solutions", "how"});
+  if (const auto count = known->find("real_solutions")) static_cast<void>(count->integer());
   return {read_points(*known, "points", variables), read_points(*known, "singular", variables),
           required_text(*known, "how")};
 }
@@ -76,12 +77,32 @@ void check_shape(const YamlNode& file, const Problem& problem) {
 
 }  // namespace
 
-std::vector<BoundTarget> Problem::targets() const {
+std::vector<BoundTarget> Problem::targets(const std::vector<Expression>& functions) const {
   std::vector<BoundTarget> result;
-  for (const Expression& equation : system.equations) {
-    result.emplace_back(system.graph, equation, static_cast<int>(system.variables.size()));
+  for (const Expression& function : functions) {
+    result.emplace_back(system.graph, function, static_cast<int>(system.variables.size()));
   }
   return result;
+}
+
+void check_known_points(const Problem& problem) {
+  const auto targets = problem.targets();
+  for (const auto& point : problem.known.points) {
+    std::string text;
+    for (const Rational& coordinate : point) text += (text.empty() ? "" : ", ") + coordinate.get_str();
+    for (const BoundTarget& target : targets) {
+      if (target.is_polynomial() && target.polynomial().evaluate(point) != 0) {
+        throw InputError(problem.name + ": the known point (" + text + ") does not satisfy the equations");
+      }
+    }
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const Interval& side = problem.system.box[i];
+      if (is_bounded(side) &&
+          (point[i] < rational_from_double(side.lower) || point[i] > rational_from_double(side.upper))) {
+        throw InputError(problem.name + ": the known point (" + text + ") lies outside the box");
+      }
+    }
+  }
 }
 
 const std::vector<std::string>& function_kinds() {
@@ -125,7 +146,8 @@ Problem load_problem(const std::filesystem::path& path) {
   problem.title = optional_text(file, "title");
   problem.origin = required_text(file, "origin");
   problem.licence = required_text(file, "licence");
-  problem.notes = optional_text(file, "notes");
+  const auto notes = file.find("notes");  // free: any shape
+  if (notes && notes->is_scalar()) problem.notes = notes->text();
   if (problem.kind == "polynomial_family") return problem;  // its members are made by the tasks
   const auto generator = file.find("generator");
   problem.system = generator ? read_generated_system(file, *generator) : read_equation_system(file);

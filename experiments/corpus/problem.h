@@ -32,8 +32,9 @@ struct Problem {
   std::string licence;
   std::string notes;
 
-  /// The functions that are to vanish, ready to be bounded.
-  std::vector<BoundTarget> targets() const;
+  /// Functions of this problem, ready to be bounded; by default those that are to vanish.
+  std::vector<BoundTarget> targets(const std::vector<Expression>& functions) const;
+  std::vector<BoundTarget> targets() const { return targets(system.equations); }
 };
 
 /// Kinds that this reader knows: curve (2 variables, 1 equation), surface (3, 1), space_curve (3, 2),
@@ -47,6 +48,9 @@ std::string kind_of_file(const std::filesystem::path& path);
 /// A hash of what answers can depend on: variables, equations, inequalities and box, but not names, origin or
 /// notes. For kinds without equations it is a hash of the whole file.
 std::string problem_content_hash(const std::filesystem::path& path);
+
+/// Throws InputError when a known point does not lie on the set, exactly, or in the box.
+void check_known_points(const Problem& problem);
 
 /// Reads a problem of one of the function kinds. Throws InputError with file and line.
 Problem load_problem(const std::filesystem::path& path);

@@ -50,9 +50,11 @@ EquationSystem read_generated_system(const YamlNode& problem, const YamlNode& ge
   if (generator.at("name").text() != "random_polynomial") {
     generator.at("name").fail("is unknown (known: random_polynomial)");
   }
-  if (problem.find("equations")) generator.fail("stands beside 'equations'; give one of them");
+  for (const char* key : {"equations", "inequalities"}) {
+    if (problem.find(key)) generator.fail("stands beside '" + std::string(key) + "'; give one of them");
+  }
   EquationSystem system;
-  system.variables = problem.at("variables").texts();
+  system.variables = read_variables(problem.at("variables"));
   RandomPolynomialOptions options;
   options.variables = static_cast<int>(system.variables.size());
   const std::int64_t degree = generator.at("total_degree").integer();
@@ -62,7 +64,14 @@ EquationSystem read_generated_system(const YamlNode& problem, const YamlNode& ge
   if (options.law != "kostlan" && options.law != "uniform") {
     generator.at("law").fail("is unknown (known: kostlan, uniform)");
   }
-  options.seed = static_cast<std::uint64_t>(generator.at("seed").integer());
+  const std::int64_t seed = generator.at("seed").integer();
+  if (seed < 0) generator.at("seed").fail("must not be negative");
+  options.seed = static_cast<std::uint64_t>(seed);
+  mpz_class terms;
+  mpz_bin_uiui(terms.get_mpz_t(), static_cast<unsigned long>(options.total_degree + options.variables),
+               static_cast<unsigned long>(options.variables));
+  constexpr int kMaximumTerms = 100'000;
+  if (terms > kMaximumTerms) generator.fail("has " + terms.get_str() + " terms; at most 100000 are made");
   system.equations = {random_polynomial(options).to_expression(*system.graph)};
   system.box = read_box(problem.at("box"), system.variables);
   return system;

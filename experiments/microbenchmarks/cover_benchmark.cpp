@@ -26,8 +26,9 @@ void cover_random_18(benchmark::State& state, const std::string& bound, const st
   const BoundVariant& variant = bound_registry().at(bound);
   std::map<std::string, std::string> options;
   if (!form.empty()) options["form"] = form;
-  std::vector<std::unique_ptr<RangeBound>> bounds;
-  bounds.push_back(variant.make(problem.targets().front(), Options(variant.options, options, bound)));
+  SetBounds bounds;
+  bounds.equations.push_back(
+      variant.make(problem.targets().front(), Options(variant.options, options, bound)));
   std::uint64_t kept = 0;
   for (auto _ : state) {
     kept =

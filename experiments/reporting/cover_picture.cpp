@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "covering/curve_trace.h"
 #include "experiments/corpus/corpus.h"
@@ -34,6 +35,11 @@ void check_cover_picture(const Problem& problem, const std::filesystem::path& fi
     throw InputError("--figure: covers are drawn of plane curves only, and this problem has " +
                      std::to_string(problem.system.variables.size()) + " variables");
   }
+  for (const Interval& side : problem.system.box) {
+    if (!(side.lower < side.upper))
+      throw InputError("--figure: the box is flat; a picture needs two sides of positive width");
+  }
+  check_writable(file);
 }
 
 void write_cover_picture(const Problem& problem, const CoverTree& tree, const std::string& method,

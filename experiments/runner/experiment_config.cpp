@@ -256,4 +256,18 @@ ExperimentConfig load_experiment(const std::filesystem::path& file, const Catalo
   return parse_experiment(read_file(file), file, catalogue);
 }
 
+std::vector<ExperimentConfig> load_experiments(const std::vector<std::string>& files,
+                                               const Catalogue& catalogue) {
+  std::vector<ExperimentConfig> configs;
+  std::set<std::string> names;
+  for (const std::string& file : files) {
+    configs.push_back(load_experiment(file, catalogue));
+    const std::string& name = configs.back().experiment;
+    if (!names.insert(name).second) {
+      throw InputError(file + ": experiment '" + name + "' is the name of two configs");
+    }
+  }
+  return configs;
+}
+
 }  // namespace gcslab

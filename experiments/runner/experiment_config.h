@@ -68,6 +68,11 @@ struct ExperimentConfig {
 /// Reads and checks a config. Every job of it can then be asked. Throws InputError.
 ExperimentConfig load_experiment(const std::filesystem::path& file, const Catalogue& catalogue);
 
+/// Reads several configs before anything is done with the first: a fault in the last one costs no time. No
+/// two are of one experiment.
+std::vector<ExperimentConfig> load_experiments(const std::vector<std::string>& files,
+                                               const Catalogue& catalogue);
+
 /// The same for a text; `file` names it in errors.
 ExperimentConfig parse_experiment(const std::string& text, const std::filesystem::path& file,
                                   const Catalogue& catalogue);

@@ -16,6 +16,7 @@
 #include "base/check.h"
 #include "experiments/runner/job_row.h"
 #include "experiments/tasks/job_result.h"
+#include "experiments/tasks/memory_use.h"
 #include "experiments/tasks/stopwatch.h"
 
 namespace gcslab {
@@ -144,16 +145,6 @@ std::string difference(const JobResult& first, const JobResult& later) {
 
 void append_timings(Json& lists, const Json& timings) {
   for (const auto& [name, seconds] : timings.items()) lists[name].push_back(seconds);
-}
-
-double peak_rss_mb() {
-  std::ifstream file("/proc/self/status");
-  std::string word;
-  while (file >> word) {
-    double kilobytes = 0;
-    if (word == "VmHWM:" && file >> kilobytes) return kilobytes * 1024 / 1e6;
-  }
-  return 0;
 }
 
 void check_problem(const Job& job, const Catalogue& catalogue) {

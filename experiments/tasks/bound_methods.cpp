@@ -18,18 +18,19 @@ std::vector<MethodInfo> bound_methods() {
   return methods;
 }
 
-std::vector<std::unique_ptr<RangeBound>> make_bounds(const Problem& problem, const std::string& method,
-                                                     const Options& options) {
+SetBounds make_bounds(const Problem& problem, const std::string& method, const Options& options) {
   const BoundVariant& variant = bound_registry().at(method);
-  std::vector<std::unique_ptr<RangeBound>> bounds;
-  for (const BoundTarget& target : problem.targets()) {
-    try {
+  const auto make = [&](const std::vector<Expression>& functions) {
+    std::vector<std::unique_ptr<RangeBound>> bounds;
+    for (const BoundTarget& target : problem.targets(functions))
       bounds.push_back(variant.make(target, options));
-    } catch (const NotApplicable& reason) {
-      throw NotApplicable(method + " " + reason.what());
-    }
+    return bounds;
+  };
+  try {
+    return {make(problem.system.equations), make(problem.system.inequalities)};
+  } catch (const NotApplicable& reason) {
+    throw NotApplicable(method + " " + reason.what() + "; it takes " + variant.applies_to);
   }
-  return bounds;
 }
 
 Problem load_problem_of_kind(const std::string& name_or_path, const std::vector<std::string>& kinds) {

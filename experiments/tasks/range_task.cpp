@@ -134,8 +134,8 @@ JobResult RangeTask::run(const Job& job, const std::stop_token& stop) const {
   const Stopwatch preparation;
   const auto bounds = make_bounds(problem, job.method, job.options);
   result.timings["prepare_s"] = preparation.wall_s();
-  const Interval range = bounds.front()->over(box);
-  measure(*bounds.front(), box, result, stop);
+  const Interval range = bounds.equations.front()->over(box);
+  measure(*bounds.equations.front(), box, result, stop);
   result.values["lower"] = number_text(range.lower);
   result.values["upper"] = number_text(range.upper);
   const Interval sampled = sampled_range(problem, job);
@@ -143,7 +143,7 @@ JobResult RangeTask::run(const Job& job, const std::stop_token& stop) const {
   if (box.size() <= 2 && problem.targets().front().is_polynomial() && problem.kind != "polynomial_family") {
     const Interval exact =
         make_bounds(problem, "exact", Options(bound_registry().at("exact").options, {}, "exact"))
-            .front()
+            .equations.front()
             ->over(box);
     result.values["exact_lower"] = number_text(exact.lower);
     result.values["exact_upper"] = number_text(exact.upper);

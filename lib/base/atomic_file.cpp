@@ -85,6 +85,16 @@ void write_file_atomically(const fs::path& path, std::string_view text) {
   }
 }
 
+void check_writable(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw cannot_write(path, EISDIR);
+  const bool exists = fs::exists(path, ignored);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const fs::path& asked = exists && !fs::is_regular_file(path, ignored) ? path : folder;
+  if (::access(asked.c_str(), W_OK) != 0) throw cannot_write(path, errno);
+  if (&asked == &folder && !fs::is_directory(folder, ignored)) throw cannot_write(path, ENOTDIR);
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

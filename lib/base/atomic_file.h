@@ -17,6 +17,9 @@ std::string read_file(const std::filesystem::path& path);
 /// untouched.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Throws InputError when a file of that name could not be written now: before long work, not after it.
+void check_writable(const std::filesystem::path& path);
+
 /// Makes the folder and its parents. Throws InputError, with the cause, when that is not possible.
 void make_folder(const std::filesystem::path& folder);
 

@@ -41,6 +41,8 @@ std::string unknown_name_message(std::string_view what, std::string_view name,
     return fmt::format("unknown {} '{}' (did you mean '{}'?)", what, name, *nearest);
   }
   if (known.empty()) return fmt::format("unknown {} '{}' (none is known)", what, name);
+  constexpr std::size_t kMost = 12;
+  if (known.size() > kMost) return fmt::format("unknown {} '{}' ({} are known)", what, name, known.size());
   return fmt::format("unknown {} '{}' (known: {})", what, name, fmt::join(known, ", "));
 }
 

@@ -51,6 +51,7 @@ std::optional<Number> number_from(const std::string& text) {
 
 YamlNode YamlNode::parse(const std::string& text, const std::string& file_name) {
   try {
+    if (text.find('\0') != std::string::npos) throw InputError({file_name, 0}, "is no text file");
     YAML::Node root = YAML::Load(text);
     check_depth(root, file_name, 0);
     if (!root.IsDefined() || root.IsNull())

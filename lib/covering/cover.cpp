@@ -11,10 +11,12 @@ namespace {
 
 class Subdivision {
  public:
-  Subdivision(std::span<const std::unique_ptr<RangeBound>> bounds, const Box& domain,
-              const CoverOptions& options, const std::stop_token& stop)
+  Subdivision(const SetBounds& set, const Box& domain, const CoverOptions& options,
+              const std::stop_token& stop)
       : cover_{CoverTree(domain, options.depth, options.split), {}}, box_(domain), stop_(stop) {
-    for (const auto& bound : bounds) walks_.push_back(bound->walk(domain, options.depth));
+    for (const auto& bound : set.equations) walks_.push_back(bound->walk(domain, options.depth));
+    equations_ = walks_.size();
+    for (const auto& bound : set.inequalities) walks_.push_back(bound->walk(domain, options.depth));
   }
 
   Cover run() {
@@ -29,8 +31,7 @@ class Subdivision {
       cover_.undecided.push_back(box_);
       return;
     }
-    const bool may_meet =
-        std::ranges::none_of(walks_, [this](const auto& walk) { return walk->excludes_zero(box_); });
+    const bool may_meet = !excluded();
     cover_.tree.append(may_meet);
     if (!may_meet || level == cover_.tree.last_level()) return;
     if (cover_.tree.split() == Split::all) {
@@ -39,6 +40,18 @@ class Subdivision {
       const std::size_t variable = static_cast<std::size_t>(level) % box_.size();
       halve(level, variable, variable + 1);
     }
+  }
+
+  /// True only when the current box has no point of the set.
+  bool excluded() {
+    for (std::size_t i = 0; i < equations_; ++i) {
+      if (walks_[i]->excludes_zero(box_)) return true;
+    }
+    for (std::size_t i = equations_; i < walks_.size(); ++i) {
+      const Interval range = walks_[i]->bound(box_);
+      if (is_empty(range) || range.lower > 0) return true;
+    }
+    return false;
   }
 
   /// Visits the children that arise from halving the variables first .. last - 1.
@@ -59,19 +72,20 @@ class Subdivision {
 
   Cover cover_;
   Box box_;
-  std::vector<std::unique_ptr<BoundWalk>> walks_;
+  std::vector<std::unique_ptr<BoundWalk>> walks_;  ///< of the equations, then of the inequalities
+  std::size_t equations_ = 0;
   const std::stop_token& stop_;
 };
 
 }  // namespace
 
-Cover cover(std::span<const std::unique_ptr<RangeBound>> bounds, const Box& domain,
-            const CoverOptions& options, const std::stop_token& stop) {
-  GCSLAB_CHECK(!bounds.empty() && options.depth >= 0);
+Cover cover(const SetBounds& set, const Box& domain, const CoverOptions& options,
+            const std::stop_token& stop) {
+  GCSLAB_CHECK(!set.equations.empty() && options.depth >= 0);
   if (!std::ranges::all_of(domain, is_bounded)) {
     throw InputError("a cover needs a bounded box; give finite ends, for example with --box");
   }
-  return Subdivision(bounds, domain, options, stop).run();
+  return Subdivision(set, domain, options, stop).run();
 }
 
 int depth_for_cell_size(const Box& domain, double cell_size) {

@@ -8,7 +8,6 @@
 // common side of cells lies in each of them.
 
 #include <memory>
-#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -28,10 +27,16 @@ struct Cover {
   std::vector<Box> undecided;
 };
 
-/// Covers {p in domain : every f_i(p) = 0}, with one bound for each f_i. The domain must be bounded. Cells of
-/// the last level are tested too. A requested stop ends the search within one cell.
-Cover cover(std::span<const std::unique_ptr<RangeBound>> bounds, const Box& domain,
-            const CoverOptions& options, const std::stop_token& stop = {});
+/// Bounds of the functions that define a set: {p : every equation is 0 and every inequality is <= 0 at p}.
+struct SetBounds {
+  std::vector<std::unique_ptr<RangeBound>> equations;
+  std::vector<std::unique_ptr<RangeBound>> inequalities;
+};
+
+/// Covers the points of the set in the domain, which must be bounded. Cells of the last level are tested too.
+/// A requested stop ends the search within one cell.
+Cover cover(const SetBounds& set, const Box& domain, const CoverOptions& options,
+            const std::stop_token& stop = {});
 
 /// The least depth at which no cell is wider than `cell_size`.
 int depth_for_cell_size(const Box& domain, double cell_size);

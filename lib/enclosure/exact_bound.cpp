@@ -75,8 +75,9 @@ class ZeroDecision {
  public:
   explicit ZeroDecision(std::int64_t splits) : splits_left_(splits) {}
 
-  /// True only when f has no zero on the part. An upward scope must be open.
-  bool excludes(const Coefficients& part, int variable) {
+  /// True only when f has no zero on the part. An upward scope must be open. Parts below kDeepest halvings of
+  /// each variable decide nothing more in double.
+  bool excludes(const Coefficients& part, int variable, int depth = 0) {
     const Interval range = part.range();
     if (!contains(range, 0)) {
       (range.lower > 0 ? positive_ : negative_) = true;
@@ -86,15 +87,17 @@ class ZeroDecision {
       positive_ = positive_ || part.corner(i).lower() >= 0;
       negative_ = negative_ || part.corner(i).upper() <= 0;
     }
-    if ((positive_ && negative_) || splits_left_-- <= 0)
-      return false;  // f has both signs: it vanishes in between
+    if (positive_ && negative_) return false;  // f has both signs: it vanishes in between
+    if (splits_left_-- <= 0 || depth > kDeepest * part.variables()) return false;
     Coefficients lower, upper;
     part.halve(variable, lower, upper);
     const int next = (variable + 1) % part.variables();
-    return excludes(lower, next) && excludes(upper, next);
+    return excludes(lower, next, depth + 1) && excludes(upper, next, depth + 1);
   }
 
  private:
+  static constexpr int kDeepest = 60;
+
   std::int64_t splits_left_;
   bool positive_ = false;
   bool negative_ = false;
@@ -161,7 +164,7 @@ BoundVariant exact_bound() {
           1,
           {real_option("tolerance", "of an end, relative to the width of the first bound", "", 1e-9, 0, 1),
            integer_option("splits", "largest number of splits for one end of a range or one decision", "",
-                          4096, 0, 1'000'000'000)},
+                          4096, 0, 1'000'000)},
           make};
 }
 

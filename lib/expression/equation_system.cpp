@@ -1,6 +1,8 @@
 #include "expression/equation_system.h"
 
 #include <algorithm>
+#include <cctype>
+#include <regex>
 
 #include "base/check.h"
 #include "base/nearest_name.h"
@@ -10,7 +12,6 @@
 #include "interval/mpfr_interval.h"
 
 namespace gcslab {
-namespace {
 
 std::vector<std::string> read_variables(const YamlNode& node) {
   std::vector<std::string> names;
@@ -25,10 +26,13 @@ std::vector<std::string> read_variables(const YamlNode& node) {
   return names;
 }
 
+namespace {
+
 using ExpressionParser = Expression (*)(ExpressionGraph&, std::string_view, std::span<const std::string>);
 
 std::vector<Expression> read_expressions(const YamlNode& node, EquationSystem& system,
                                          ExpressionParser parse) {
+  if (node.is_scalar()) node.fail("is one text; write a list: [\"" + node.text() + "\"]");
   std::vector<Expression> result;
   for (const YamlNode& item : node.items()) {
     try {
@@ -99,31 +103,31 @@ EquationSystem read_equation_system(const YamlNode& problem) {
 }
 
 Box read_box_option(const std::string& text, const std::vector<std::string>& variables, const Box& box) {
-  const auto fail = [&](const std::string& cause) -> void {
+  const auto fail = [&](const std::string& cause) {
     throw InputError("--box \"" + text + "\": " + cause + "; expected for example \"x=[-3,3],y=[0,1]\"");
   };
+  std::string rest = text;
+  std::erase_if(rest, [](unsigned char c) { return std::isspace(c) != 0; });
   Box result = box;
-  std::size_t position = 0;
-  while (position < text.size()) {
-    const std::size_t equals = text.find("=[", position);
-    const std::size_t comma = text.find(',', equals == std::string::npos ? position : equals);
-    const std::size_t close = text.find(']', position);
-    if (equals == std::string::npos || comma == std::string::npos || close == std::string::npos ||
-        comma > close) {
+  std::vector<std::string> given;
+  do {
+    static const std::regex item(R"(([^=,]+)=\[([^\[\]]+),([^\[\],]+)\](,(?=.)|$))");
+    std::smatch match;
+    if (!std::regex_search(rest, match, item, std::regex_constants::match_continuous))
       fail("not a list of intervals");
-    }
-    const std::string name = text.substr(position, equals - position);
+    const std::string name = match[1];
     const auto variable = std::ranges::find(variables, name);
     if (variable == variables.end()) fail(unknown_name_message("variable", name, variables));
+    if (std::ranges::find(given, name) != given.end()) fail("the variable '" + name + "' is given twice");
+    given.push_back(name);
     try {
-      result[static_cast<std::size_t>(variable - variables.begin())] = interval_from_texts(
-          text.substr(equals + 2, comma - equals - 2), text.substr(comma + 1, close - comma - 1));
+      result[static_cast<std::size_t>(variable - variables.begin())] =
+          interval_from_texts(match[2], match[3]);
     } catch (const InputError& error) {
       fail(error.what());
     }
-    position = close + 1;
-    if (position < text.size() && text[position++] != ',') fail("expected ',' after ']'");
-  }
+    rest = match.suffix();
+  } while (!rest.empty());
   return result;
 }
 

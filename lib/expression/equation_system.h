@@ -25,6 +25,9 @@ struct EquationSystem {
 /// the caller's. Throws InputError with file and line.
 EquationSystem read_equation_system(const YamlNode& problem);
 
+/// Reads a list of variable names, each a name and given once.
+std::vector<std::string> read_variables(const YamlNode& node);
+
 /// Reads {x: [lower, upper], ...}, one interval a variable.
 Box read_box(const YamlNode& node, const std::vector<std::string>& variables);
 

@@ -8,6 +8,8 @@ namespace {
 
 /// Constant powers beyond this many bits are refused: nobody writes them on purpose.
 constexpr std::size_t kMaximumConstantBits = 1 << 16;
+/// So are exponents that no int holds with room to spare.
+constexpr int kMaximumExponent = 1'000'000;
 
 std::size_t bits_of(const Rational& value) {
   return mpz_sizeinbase(value.get_num_mpz_t(), 2) + mpz_sizeinbase(value.get_den_mpz_t(), 2);
@@ -164,7 +166,7 @@ Expression ExpressionGraph::power(Expression base, const Rational& exponent) {
   GCSLAB_CHECK(&base.graph() == this);
   const bool whole = exponent.get_den() == 1;
   if (whole && base.is_constant()) return constant(integer_power(base.constant(), exponent.get_num()));
-  if (!exponent.get_num().fits_sint_p() || !exponent.get_den().fits_sint_p()) {
+  if (abs(exponent.get_num()) > kMaximumExponent || exponent.get_den() > kMaximumExponent) {
     throw InputError("the exponent " + exponent.get_str() + " is too large");
   }
   if (exponent == 1) return base;

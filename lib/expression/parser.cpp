@@ -18,13 +18,19 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 class Parser {
  public:
-  Parser(ExpressionGraph& graph, std::string_view text, std::span<const std::string> variables)
-      : graph_(graph), text_(text), variables_(variables) {}
+  /// Parses text[begin .. end); errors quote the whole text.
+  Parser(ExpressionGraph& graph, std::string_view text, std::span<const std::string> variables,
+         std::size_t begin, std::size_t end)
+      : graph_(graph),
+        whole_text_(text),
+        text_(text.substr(0, end)),
+        variables_(variables),
+        position_(begin) {}
 
   Expression whole() {
     const Expression result = sum();
     skip_spaces();
-    if (position_ < text_.size()) fail("expected an operator or the end");
+    if (position_ < text_.size()) fail("expected an operator or the end (a product is written 2*x)");
     return result;
   }
 
@@ -32,8 +38,8 @@ class Parser {
   [[noreturn]] void fail(const std::string& message) const { fail_at(position_, message); }
 
   [[noreturn]] void fail_at(std::size_t position, const std::string& message) const {
-    throw InputError("in \"" + std::string(text_) + "\", column " + std::to_string(position + 1) + ": " +
-                     message);
+    throw InputError("in \"" + std::string(whole_text_) + "\", column " + std::to_string(position + 1) +
+                     ": " + message);
   }
 
   /// Runs a construction of the graph and adds the place to its errors.
@@ -196,30 +202,39 @@ class Parser {
   };
 
   ExpressionGraph& graph_;
-  std::string_view text_;
+  std::string_view whole_text_;
+  std::string_view text_;  ///< up to the end of the part that is parsed
   std::span<const std::string> variables_;
-  std::size_t position_ = 0;
+  std::size_t position_;
   int depth_ = 0;
 };
 
 }  // namespace
 
+namespace {
+
+Expression parse_part(ExpressionGraph& graph, std::string_view text, std::span<const std::string> variables,
+                      std::size_t begin, std::size_t end) {
+  return Parser(graph, text, variables, begin, end).whole();
+}
+
+}  // namespace
+
 Expression parse_expression(ExpressionGraph& graph, std::string_view text,
                             std::span<const std::string> variables) {
-  return Parser(graph, text, variables).whole();
+  return parse_part(graph, text, variables, 0, text.size());
 }
 
 Expression parse_equation(ExpressionGraph& graph, std::string_view text,
                           std::span<const std::string> variables) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return parse_expression(graph, text, variables);
-  const std::string_view right = text.substr(equals + 1);
   const bool is_relation = equals > 0 && (text[equals - 1] == '<' || text[equals - 1] == '>');
-  if (is_relation || right.find('=') != std::string_view::npos) {
+  if (is_relation || text.find('=', equals + 1) != std::string_view::npos) {
     throw InputError("in \"" + std::string(text) + "\": an equation has one '=' and no '<' or '>'");
   }
-  return parse_expression(graph, text.substr(0, equals), variables) -
-         parse_expression(graph, right, variables);
+  const Expression left = parse_part(graph, text, variables, 0, equals);
+  return left - parse_part(graph, text, variables, equals + 1, text.size());
 }
 
 Expression parse_inequality(ExpressionGraph& graph, std::string_view text,
@@ -227,8 +242,8 @@ Expression parse_inequality(ExpressionGraph& graph, std::string_view text,
   for (const std::string_view relation : {"<=", ">="}) {
     const std::size_t place = text.find(relation);
     if (place == std::string_view::npos) continue;
-    const Expression left = parse_expression(graph, text.substr(0, place), variables);
-    const Expression right = parse_expression(graph, text.substr(place + 2), variables);
+    const Expression left = parse_part(graph, text, variables, 0, place);
+    const Expression right = parse_part(graph, text, variables, place + 2, text.size());
     return relation == "<=" ? left - right : right - left;
   }
   throw InputError("in \"" + std::string(text) + "\": expected '<=' or '>='");

@@ -145,6 +145,17 @@ bool has_exponent(Operation operation) {
   return operation == Operation::power_integer || operation == Operation::power_rational;
 }
 
+/// Where f is defined but its derivative nowhere (sqrt on {0}), the operand has one value, so that any slope
+/// will do; the empty set would lose everything that it is multiplied with.
+template <class T>
+T nonempty_slope(const T& slope) {
+  if constexpr (requires { NumberTraits<T>::from_interval(Interval::entire()); }) {
+    if (is_empty(NumberTraits<T>::enclosure(slope)))
+      return NumberTraits<T>::from_interval(Interval::entire());
+  }
+  return slope;
+}
+
 }  // namespace
 
 template <class T>
@@ -166,7 +177,9 @@ bool TapeEvaluator<T>::defined_everywhere() const {
   return true;
 }
 
-/// The derivative of an operation of one operand with respect to it.
+/// An enclosure of the slopes of an operation of one operand: of (g(p) - g(q)) / (p - q) for p, q in the
+/// operand. The operations are continuous on it (defined_everywhere), so that derivatives, infinite ones
+/// included, enclose them.
 template <class T>
 T TapeEvaluator<T>::outer_derivative(const Instruction& instruction, const T& value) const {
   const T& a = registers_[instruction.a];
@@ -178,16 +191,16 @@ T TapeEvaluator<T>::outer_derivative(const Instruction& instruction, const T& va
     case Operation::power_integer:
     case Operation::power_rational: {
       const Rational& exponent = tape_->exponents()[instruction.b];
-      return NumberTraits<T>::from_rational(exponent) * power(a, exponent - 1);
+      return nonempty_slope<T>(NumberTraits<T>::from_rational(exponent) * power(a, exponent - 1));
     }
     case Operation::sqrt:
-      return one_ / (value + value);
+      return nonempty_slope<T>(one_ / (value + value));
     case Operation::cbrt:
-      return one_ / (NumberTraits<T>::from_rational(3) * sqr(value));
+      return nonempty_slope<T>(one_ / (NumberTraits<T>::from_rational(3) * sqr(value)));
     case Operation::exp:
       return value;
     case Operation::log:
-      return one_ / a;
+      return nonempty_slope<T>(one_ / a);
     case Operation::sin:
       return cos(a);
     case Operation::cos:
@@ -195,9 +208,9 @@ T TapeEvaluator<T>::outer_derivative(const Instruction& instruction, const T& va
     case Operation::tan:
       return one_ + sqr(value);
     case Operation::asin:
-      return one_ / sqrt(one_ - sqr(a));
+      return nonempty_slope<T>(one_ / sqrt(one_ - sqr(a)));
     case Operation::acos:
-      return -(one_ / sqrt(one_ - sqr(a)));
+      return nonempty_slope<T>(-(one_ / sqrt(one_ - sqr(a))));
     case Operation::atan:
       return one_ / (one_ + sqr(a));
     case Operation::abs:

@@ -2,11 +2,11 @@
 
 // Runs a tape over a number type, with first derivatives by the forward and by the reverse mode.
 //
-// Promise: over a set-valued number type every output encloses {f(p) : p in the box, f defined at p}, and
-// every derivative encloses the generalised gradients (Clarke 1983) of f on the box, provided f is defined on
-// the whole box
-// (`defined_everywhere`). Derivative modes: Griewank, Walther, Evaluating Derivatives (2008), chapters 3.1
-// and 3.2.
+// Promise: over a set-valued number type every output encloses {f(p) : p in the box, f defined at p}, and a
+// gradient encloses slopes: for all p, q in the box there are s_i in its entries with f(p) - f(q) = sum s_i
+// (p_i - q_i). That supposes that f is defined and continuous on the whole box (`defined_everywhere`); kinks
+// and infinite derivatives are allowed. Derivative modes: Griewank, Walther, Evaluating Derivatives (2008),
+// chapters 3.1 and 3.2.
 //
 // Compiled for the number types listed at the end of tape_evaluator.cpp; a new number type is one line there.
 // A NumberTraits<T>::Scope must be alive, with the same precision, from construction to the last call.

@@ -211,11 +211,12 @@ ReducedAngle reduced(double x) {
 
 /// sin(j pi/128 + r), |r| < pi/256 + 2^-20, from S = sin(j pi/128), C = cos(j pi/128):
 ///   S + C r + S (cos r - 1) + C (sin r - r).
-/// |cos r - 1| < 2^-13.7 carries 6 u: 2^-63.1 of S. |sin r - r| < 2^-21.5 carries 8 u: 2^-70.5, and 2^-64.2
+/// |cos r - 1| < 2^-13.7 carries 6 u: 2^-63.1 of S. |sin r - r| < 2^-21.5 carries 10 u: 2^-70.1, and 2^-63.9
 /// of r. Where j is no multiple of 128 the value is at least S/2 and 2^-6.4, so that these are 2^-62.1 and
-/// 2^-64.1 of it; the last sum of the low part adds 2^-64.7, the omitted product of S's low part 2^-65.7.
-/// Where j is such a multiple, S is 0, C is +-1, the value is near r. All together stay below 2^-61.5;
-/// claimed: 2^-61 of the value, and r's error.
+/// 2^-63.7 of it; the last sum of the low part adds 2^-64.7, the omitted product of S's low part 2^-65.7.
+/// Where j is such a multiple, S is 0, C is +-1, the value is near r; r's low part, below 2^-52, may cancel
+/// most of its high part, and three roundings of it add less than 2^-102, which r's error has to spare. All
+/// together stay below 2^-61.3; claimed: 2^-61 of the value, and r's error.
 AccurateValue sine_of(const ReducedAngle& angle, int quarter_turns) {
   const Tables& t = tables();
   const int j = (angle.k + quarter_turns * (kSinSteps / 4)) & (kSinSteps - 1);
@@ -300,7 +301,7 @@ AccurateValue accurate_cos(double x) {
   return sine_of(reduced(x), 1);
 }
 
-/// The quotient of sine and cosine; the relative errors add up, and the division's own is below 2^-100.
+/// The quotient of sine and cosine; the relative errors add up, and the division's own is below 2^-99.
 AccurateValue accurate_tan(double x) {
   if (!is_moderate(x, kLargestAngle)) return {};
   const ReducedAngle angle = reduced(x);
@@ -316,10 +317,14 @@ AccurateValue accurate_tan(double x) {
 }
 
 /// With v = |x| and c = i/64 near v or 1/v: atan(v) = atan(c) + atan((v - c)/(1 + c v)) for v <= 1, and
-/// pi/2 - atan(c) - atan((1/v - c)/(1 + c/v)) otherwise, where that quotient is (1 - c v)/(v + c). Numerator
-/// and denominator are exact pairs (c has 7 bits), the quotient t, below 2^-6.9, has an error of 2^-100 of
-/// itself. The terms from the cubic on are below 2^-22 and carry 8 u: 2^-70, and 2^-62.8 of t; t^11/11 <
-/// 2^-79 is omitted. Claimed: 2^-61 of the value.
+/// pi/2 - atan(c) - atan((1/v - c)/(1 + c/v)) otherwise, where that quotient is (1 - c v)/(v + c). 1 - c v is
+/// an exact pair (c v is 0, or between 0.6 and 2.1); the other sums have errors below 4 u^2. A plain v - c
+/// would not do: for the double v before 1/128, 64 v + 1/2 rounds to 1, and v - 1/64 has 54 bits. The
+/// quotient t, below 2^-6.9, has an error below 2^-98, of itself unless inverted. Its double q is within 4 u
+/// |t| of t, or 2^-52 more if inverted, by the low part of c v. So the terms from the cubic on, below
+/// 2^-22.2, carry 17 u: 2^-70, and 2^-63.2 of t, which is at most the value; or 2^-65 if inverted, when the
+/// value is above pi/4. t^11/11 < 2^-79 is omitted; the sums of the low part add 2^-67 of the value. Claimed:
+/// 2^-61 of the value.
 AccurateValue accurate_atan(double x) {
   if (!is_moderate(x, 0x1p100)) return {};
   const Tables& t = tables();
@@ -328,7 +333,7 @@ AccurateValue accurate_atan(double x) {
   const double steps = whole((inverted ? 1 / v : v) * kAtanSteps);
   const double c = steps / kAtanSteps;
   const Pair cv = product(c, v);
-  const Pair n = inverted ? Pair{1 - cv.high, -cv.low} : Pair{v - c, 0};
+  const Pair n = inverted ? Pair{1 - cv.high, -cv.low} : sum(v, -c);
   const Pair d = inverted ? sum(v, c) : sum(1, cv.high);
   const double d_low = inverted ? d.low : d.low + cv.low;
   const double q = n.high / d.high;

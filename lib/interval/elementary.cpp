@@ -66,7 +66,8 @@ std::optional<Interval> settled_outward(const AccurateValue& v) {
   return Interval(0.0 - minus_lower, upper);
 }
 
-/// The error counts twice, as the inner sums are rounded: by far less, since |low| is below 2^-10 |high|.
+/// The error counts twice, as the inner sums are rounded: by 2^-53 |low|, which is less than the error, since
+/// |low| is below 2^-10 |high|, or beside a multiple of pi below 2^-52, where the error is 2^-100 or more.
 std::optional<Interval> settled_to_nearest(const AccurateValue& v) {
   const double nearest = rounded_add(v.high, rounded_add(v.low, 2 * v.error));
   if (nearest != rounded_add(v.high, rounded_subtract(v.low, 2 * v.error))) return std::nullopt;

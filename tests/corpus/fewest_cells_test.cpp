@@ -14,8 +14,9 @@ namespace {
 std::uint64_t kept_cells(const Problem& problem, const std::string& name,
                          const std::map<std::string, std::string>& options = {}) {
   const BoundVariant& variant = bound_registry().at(name);
-  std::vector<std::unique_ptr<RangeBound>> bounds;
-  bounds.push_back(variant.make(problem.targets().front(), Options(variant.options, options, name)));
+  SetBounds bounds;
+  bounds.equations.push_back(
+      variant.make(problem.targets().front(), Options(variant.options, options, name)));
   constexpr int kDepth = 6;
   return cover(bounds, problem.system.box, {kDepth, Split::all}).tree.kept_cells();
 }

@@ -92,8 +92,8 @@ TEST_P(CorpusCover, KnownPointsAreKeptByEveryBoundAndSplit) {
   const std::vector<BoundTarget> targets = problem.targets();
   for (const std::string& name : bounds_for(targets.front())) {
     for (const Split split : {Split::all, Split::alternate}) {
-      std::vector<std::unique_ptr<RangeBound>> bounds;
-      for (const BoundTarget& target : targets) bounds.push_back(make_bound(name, target));
+      SetBounds bounds;
+      for (const BoundTarget& target : targets) bounds.equations.push_back(make_bound(name, target));
       const int depth = targets.front().variables() == 2 ? 6 : 3;
       const Cover found = cover(bounds, problem.system.box, {depth, split});
       expect_points_kept(found.tree, problem.known.points, GetParam().name + " by " + name);
@@ -107,8 +107,8 @@ TEST_P(CorpusCover, DroppedCellsOfCurvesHaveNoPointOnTheirEdges) {
   const BoundTarget target = problem.targets().front();
   if (problem.kind != "curve" || !target.is_polynomial()) GTEST_SKIP() << "no algebraic plane curve";
   for (const std::string& name : bounds_for(target)) {
-    std::vector<std::unique_ptr<RangeBound>> bounds;
-    bounds.push_back(make_bound(name, target));
+    SetBounds bounds;
+    bounds.equations.push_back(make_bound(name, target));
     const Cover found = cover(bounds, problem.system.box, {4, Split::all});
     found.tree.for_each_leaf([&](const CoverLeaf& leaf) {
       if (!leaf.kept) {
@@ -172,11 +172,46 @@ TEST(PlantedCover, PlantedPointsAreKeptByEveryBoundOnRandomBoxes) {
     auto graph = std::make_shared<ExpressionGraph>();
     const BoundTarget target(graph, planted(*graph, random, point), 2);
     for (const std::string& name : bounds_for(target)) {
-      std::vector<std::unique_ptr<RangeBound>> bounds;
-      bounds.push_back(make_bound(name, target));
+      SetBounds bounds;
+      bounds.equations.push_back(make_bound(name, target));
       const Cover found = cover(bounds, box, {4, Split::all});
       expect_points_kept(found.tree, {point}, name);
       if (testing::Test::HasFatalFailure()) FAIL() << "seed " << fuzz_seed() << ", case " << i;
+    }
+  }
+}
+
+TEST(Cover, InfiniteDerivativesLoseNoCell) {
+  // Functions that are continuous but have no finite derivative at points of the box; the points lie on the
+  // curves.
+  struct Sample {
+    const char* function;
+    Box box;
+    std::vector<Rational> point;
+  };
+  const std::vector<Sample> samples = {
+      {"y - sqrt(max(x, 0))", {{-2, 2}, {-1, 1}}, {-1, 0}},
+      {"y - sqrt(max(x, 0))", {{-2, 2}, {-1, 1}}, {Rational(1, 4), Rational(1, 2)}},
+      {"y - cbrt(max(x, 0))", {{-2, 2}, {-1, 1}}, {Rational(-3, 2), 0}},
+      {"y - max(x, 0)^(2/3)", {{-2, 2}, {-1, 1}}, {-1, 0}},
+      {"y - cbrt(x)", {{0, 0}, {-1, 1}}, {0, 0}},
+      {"y - cbrt(x)", {{-8, 8}, {-3, 3}}, {8, 2}},
+      {"y - acos(min(x, 1))", {{0, 4}, {-1, 3}}, {2, 0}},
+      {"y - 1 + 0*(max(x, 1/2))^0", {{0, 1}, {-1, 1}}, {Rational(1, 4), 1}},
+      {"y - 2 + max(x - 1, 0)^0", {{0, 3}, {0, 2}}, {2, 1}},
+      {"y - abs(x)^(1/3)", {{-1, 1}, {-1, 1}}, {Rational(1, 8), Rational(1, 2)}},
+  };
+  for (const Sample& sample : samples) {
+    auto graph = std::make_shared<ExpressionGraph>();
+    const std::vector<std::string> variables = {"x", "y"};
+    const BoundTarget target(graph, parse_expression(*graph, sample.function, variables), 2);
+    for (const std::string& name : bounds_for(target)) {
+      SetBounds bounds;
+      bounds.equations.push_back(make_bound(name, target));
+      for (const int depth : {2, 6}) {
+        const Cover found = cover(bounds, sample.box, {depth, Split::all});
+        expect_points_kept(found.tree, {sample.point}, std::string(sample.function) + " by " + name);
+      }
     }
   }
 }
@@ -195,8 +230,8 @@ TEST(Cover, RoundedCornersLoseNoZeroInTheSliverBetweenCells) {
       const Expression f = graph->variable(0) - graph->constant(rational_from_double(zero));
       const BoundTarget target(graph, f, 1);
       for (const std::string& name : bounds_for(target)) {
-        std::vector<std::unique_ptr<RangeBound>> bounds;
-        bounds.push_back(make_bound(name, target));
+        SetBounds bounds;
+        bounds.equations.push_back(make_bound(name, target));
         const Cover found = cover(bounds, box, {6, Split::all});
         expect_points_kept(found.tree, {{rational_from_double(zero)}}, name);
       }

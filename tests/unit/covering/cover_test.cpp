@@ -13,16 +13,20 @@ namespace {
 
 const std::vector<std::string> kVariables = {"x", "y"};
 
-std::vector<std::unique_ptr<RangeBound>> bounds_of(const std::vector<std::string>& equations,
-                                                   const std::string& name = "bernstein") {
+SetBounds bounds_of(const std::vector<std::string>& equations, const std::string& name = "bernstein",
+                    const std::vector<std::string>& inequalities = {}) {
   auto graph = std::make_shared<ExpressionGraph>();
-  std::vector<std::unique_ptr<RangeBound>> bounds;
   const BoundVariant& variant = bound_registry().at(name);
-  for (const std::string& equation : equations) {
-    const BoundTarget target(graph, parse_equation(*graph, equation, kVariables), 2);
-    bounds.push_back(variant.make(target, Options(variant.options, {}, name)));
+  const auto bound = [&](Expression function) {
+    return variant.make(BoundTarget(graph, function, 2), Options(variant.options, {}, name));
+  };
+  SetBounds set;
+  for (const std::string& text : equations)
+    set.equations.push_back(bound(parse_equation(*graph, text, kVariables)));
+  for (const std::string& text : inequalities) {
+    set.inequalities.push_back(bound(parse_inequality(*graph, text, kVariables)));
   }
-  return bounds;
+  return set;
 }
 
 TEST(Cover, DiagonalKeepsTheCellsThatTouchIt) {
@@ -47,6 +51,18 @@ TEST(Cover, AlternateSplitsKeepTheSameCells) {
 TEST(Cover, TwoEquationsKeepTheCellsOfBoth) {
   const Cover found = cover(bounds_of({"x - y", "x + y - 1"}), {{0, 1}, {0, 1}}, {4, Split::all});
   EXPECT_EQ(found.tree.kept_cells(), 4u);  // the four cells around (1/2, 1/2)
+}
+
+TEST(Cover, InequalitiesDropCellsWhereTheyFail) {
+  const Box box = {{-2, 2}, {-2, 2}};
+  for (const char* name : {"natural", "bernstein", "exact"}) {
+    const Cover whole = cover(bounds_of({"x^2 + y^2 = 1"}, name), box, {5, Split::all});
+    const Cover half = cover(bounds_of({"x^2 + y^2 = 1"}, name, {"x <= 0"}), box, {5, Split::all});
+    EXPECT_LT(half.tree.kept_cells(), whole.tree.kept_cells());
+    half.tree.for_each_leaf([](const CoverLeaf& leaf) {
+      EXPECT_TRUE(!leaf.kept || leaf.box[0].lower <= 0);
+    });
+  }
 }
 
 TEST(Cover, AnEmptySetLeavesNoCell) {

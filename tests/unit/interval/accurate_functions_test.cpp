@@ -86,6 +86,35 @@ TEST(AccurateFunctions, ErrorsStayBelowHalfTheBoundInBothModes) {
   }
 }
 
+template <RoundingMode mode>
+double error_over_bound_rounding(const Tested& tested, double x) {
+  const RoundingScope<mode> scope;
+  return error_over_bound(tested, x);
+}
+
+double largest_error_over_bound(const Tested& tested, double x) {
+  return std::max({error_over_bound_rounding<RoundingMode::nearest>(tested, x),
+                   error_over_bound_rounding<RoundingMode::downward>(tested, x),
+                   error_over_bound_rounding<RoundingMode::upward>(tested, x),
+                   error_over_bound_rounding<RoundingMode::to_zero>(tested, x)});
+}
+
+/// The doubles beside the middles between table entries, where the argument rounds to either: before 1/128,
+/// a power of two, the difference from an entry may have more than 53 bits.
+TEST(AccurateFunctions, ErrorsStayBelowHalfTheBoundBesideTheMiddlesBetweenTableEntries) {
+  for (const Tested& tested : kTested) {
+    for (int i = 1; i <= 256; ++i) {
+      for (const double middle : {i / 128.0, 128.0 / i, i * 0x1.921fb54442d18p-7, i * 0x1.62e42fefa39efp-8}) {
+        const double before = std::nextafter(middle, 0.0);
+        const double after = std::nextafter(middle, 1000.0);
+        for (const double x : {before, middle, after}) {
+          ASSERT_LT(largest_error_over_bound(tested, x), 0.5) << tested.name << " at " << std::hexfloat << x;
+        }
+      }
+    }
+  }
+}
+
 TEST(AccurateFunctions, ClaimNothingOutsideTheirRange) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double x : {0.0, 1e-310, kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {

@@ -43,6 +43,15 @@ TEST(Elementary, InexactValuesLieBetweenNeighbours) {
             Interval(0, std::numeric_limits<double>::denorm_min()));
 }
 
+/// Digits of atan(1/128 - 2^-60) by MPFR; the reduction by 1/64 must not round this argument to 1/128.
+TEST(Elementary, AtanBeforeTheFirstTableMiddleIsEnclosed) {
+  const Interval expected(0x1.fffd555bbba96p-8, 0x1.fffd555bbba97p-8);
+  const double x = std::nextafter(1.0 / 128, 0.0);
+  EXPECT_EQ(elementary::atan(x), expected);
+  EXPECT_EQ(elementary::atan(-x), Interval(-expected.upper, -expected.lower));
+  EXPECT_EQ(elementary::atan(x, elementary::Ends::to_nearest), Interval(expected.lower));
+}
+
 TEST(Elementary, OperandsAreCutToTheDomain) {
   EXPECT_EQ(elementary::sqrt({-4, 4}), Interval(0, 2));
   EXPECT_TRUE(is_empty(elementary::sqrt({-4, -1})));
