@@ -128,8 +128,14 @@ int run(Settings settings) {
   const BoundVariant& variant = bound_registry().at(settings.method);
   const Options options(variant.options, option_texts(settings.options), settings.method);
   CoverOptions cover_options{settings.depth, split_from_name(settings.split)};
-  if (settings.cell_size > 0)
+  if (settings.cell_size > 0) {
     cover_options.depth = depth_for_cell_size(problem.system.box, settings.cell_size);
+    if (cover_options.depth > kMaximumDepth) {
+      throw InputError(fmt::format("--cell-size needs depth {}; at most {} is possible", cover_options.depth,
+                                   kMaximumDepth));
+    }
+  }
+  if (!settings.json.empty() && settings.json != "-") check_writable(settings.json);
   if (!settings.figure.empty()) check_cover_picture(problem, settings.figure);
   const auto bounds = make_bounds(problem, settings.method, options);
   Interruption interruption(settings.timeout_s);

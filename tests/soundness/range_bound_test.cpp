@@ -2,9 +2,14 @@
 // exact value is computed once and compared with the intersection of all bounds: it lies in each of them when
 // it lies in that.
 
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "base/random.h"
+#include "expression/printer.h"
+#include "interval/mpfr_interval.h"
 #include "support/fuzz.h"
 #include "support/range_bound_cases.h"
 
@@ -86,6 +91,112 @@ TEST(RangeBoundSoundness, BoundsAlongWalksEncloseExactValues) {
       }
       check_ranges(choices, ranges, f.tape, box, random, kPoints);
       if (HasFatalFailure()) return;
+    }
+  }
+}
+
+/// A random expression over all operations: partial domains, kinks and infinite derivatives included.
+Expression random_transcendental(ExpressionGraph& graph, Random& random, int depth) {
+  if (depth == 0) {
+    if (random.below(3) == 0)
+      return graph.constant(Rational(random.integer(-12, 12)) / Rational(random.integer(1, 6)));
+    return graph.variable(static_cast<int>(random.below(2)));
+  }
+  const Expression a = random_transcendental(graph, random, depth - 1);
+  const auto b = [&] { return random_transcendental(graph, random, depth - 1); };
+  static constexpr std::array kFunctions = {Operation::sqrt, Operation::cbrt, Operation::exp, Operation::log,
+                                            Operation::sin,  Operation::cos,  Operation::tan, Operation::asin,
+                                            Operation::acos, Operation::atan, Operation::abs};
+  try {
+    switch (random.below(12)) {
+      case 0:
+      case 1:
+        return a + b();
+      case 2:
+        return a - b();
+      case 3:
+      case 4:
+        return a * b();
+      case 5:
+        return a / b();
+      case 6:
+        return graph.apply(Operation::min, a, b());
+      case 7:
+        return graph.apply(Operation::max, a, b());
+      case 8:
+        return graph.power(a, Rational(random.integer(-2, 4)));
+      case 9: {
+        Rational exponent(random.integer(-3, 3), random.integer(2, 3));
+        exponent.canonicalize();
+        return graph.power(a, exponent);
+      }
+      default:
+        return graph.apply(kFunctions[random.below(kFunctions.size())], a);
+    }
+  } catch (const InputError&) {  // division by the constant 0
+    return a;
+  }
+}
+
+/// A box around the places where functions have kinks and domains end; sometimes flat.
+Box random_box_at_kinks(Random& random) {
+  Box box;
+  for (int i = 0; i < 2; ++i) {
+    const double centre =
+        random.below(2) == 0 ? static_cast<double>(random.integer(-2, 2)) : random.uniform(-3, 3);
+    const double size =
+        random.below(5) == 0 ? 0 : std::ldexp(random.uniform(0.5, 1), -static_cast<int>(random.below(12)));
+    const std::uint64_t side = random.below(3);
+    box.emplace_back(side == 0 ? centre : centre - size, side == 1 ? centre : centre + size);
+  }
+  return box;
+}
+
+/// The value at a point to 160 bits; empty where f is not surely defined.
+Interval accurate_value(const Tape& tape, const std::vector<Rational>& point) {
+  const NumberTraits<MpfrInterval>::Scope scope(160);
+  TapeEvaluator<MpfrInterval> evaluator(tape);
+  std::vector<MpfrInterval> arguments;
+  for (const Rational& coordinate : point)
+    arguments.push_back(NumberTraits<MpfrInterval>::from_rational(coordinate));
+  evaluator.evaluate(arguments);
+  return evaluator.defined_everywhere() ? NumberTraits<MpfrInterval>::enclosure(evaluator.value())
+                                        : Interval();
+}
+
+TEST(RangeBoundSoundness, BoundsOfRandomTranscendentalFunctionsEncloseAccurateValues) {
+  constexpr int kBoxes = 4, kPoints = 10;
+  const std::vector<BoundChoice> choices = rigorous_choices();
+  Random random(fuzz_seed(), "range_bound_transcendental");
+  std::size_t compared = 0;
+  while (compared < fuzz_cases(20'000)) {
+    auto graph = std::make_shared<ExpressionGraph>();
+    const Expression function = random_transcendental(*graph, random, static_cast<int>(random.integer(2, 4)));
+    const BoundTarget target(graph, function, 2);
+    const Tape tape(function, 2);
+    std::vector<std::pair<std::string, std::unique_ptr<RangeBound>>> bounds;
+    for (const BoundChoice& choice : choices) {
+      if (choice.bound == "exact") continue;  // polynomials only, and slow on steep ones
+      try {
+        bounds.emplace_back(choice.name(), choice.make(target));
+      } catch (const NotApplicable&) {
+      }
+    }
+    for (int b = 0; b < kBoxes; ++b) {
+      const Box box = random_box_at_kinks(random);
+      std::vector<Interval> ranges;
+      for (const auto& [name, bound] : bounds) ranges.push_back(bound->over(box));
+      for (int p = 0; p < kPoints; ++p) {
+        const Interval value = accurate_value(tape, random_member(random, box));
+        if (is_empty(value)) continue;
+        ++compared;
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+          ASSERT_FALSE(disjoint(ranges[i], value))
+              << bounds[i].first << " of " << to_text(function, std::vector<std::string>{"x", "y"}) << " on "
+              << to_string(box[0]) << " x " << to_string(box[1]) << " gives " << to_string(ranges[i])
+              << ", which misses " << to_string(value) << "; seed " << fuzz_seed();
+        }
+      }
     }
   }
 }
