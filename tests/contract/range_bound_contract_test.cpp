@@ -15,6 +15,8 @@
 namespace gcslab {
 namespace {
 
+using namespace bound_cases;
+
 std::string name_of_choice(const testing::TestParamInfo<BoundChoice>& info) { return info.param.name(); }
 
 std::vector<std::string> names(int variables) {

@@ -16,6 +16,8 @@
 namespace gcslab {
 namespace {
 
+using namespace bound_cases;
+
 /// A random polynomial with all bounds of it.
 struct RandomFunction {
   std::shared_ptr<ExpressionGraph> graph = std::make_shared<ExpressionGraph>();

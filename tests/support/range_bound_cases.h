@@ -12,7 +12,8 @@
 #include "expression/tape_evaluator.h"
 #include "interval/point_numbers.h"
 
-namespace gcslab {
+// A namespace of its own: other support headers have functions of the same names.
+namespace gcslab::bound_cases {
 
 /// A registered bound with one choice of arithmetic.
 struct BoundChoice {
@@ -119,4 +120,4 @@ inline bool encloses(const Interval& bound, const Rational& value) {
   return above && below;
 }
 
-}  // namespace gcslab
+}  // namespace gcslab::bound_cases
