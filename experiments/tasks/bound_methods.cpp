@@ -29,7 +29,7 @@ SetBounds make_bounds(const Problem& problem, const std::string& method, const O
   try {
     return {make(problem.system.equations), make(problem.system.inequalities)};
   } catch (const NotApplicable& reason) {
-    throw NotApplicable(method + " " + reason.what() + "; it takes " + variant.applies_to);
+    throw NotApplicable(method + " " + reason.what());
   }
 }
 

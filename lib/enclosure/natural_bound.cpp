@@ -1,6 +1,7 @@
 // Natural interval extension: every operation of the expression is replaced by that operation on sets (Moore
 // 1966).
 
+#include "base/error.h"
 #include "enclosure/arithmetic_option.h"
 #include "enclosure/bound_registry.h"
 #include "enclosure/scoped_evaluator.h"
@@ -32,11 +33,15 @@ class NaturalBound final : public RangeBound {
 };
 
 std::vector<Expression> forms_of(const BoundTarget& target, const std::string& form) {
-  if (form == "as_written") return {target.function()};
-  if (form == "expanded") return {target.polynomial().to_expression(target.graph())};
-  if (form == "horner") return {horner_form(target.polynomial(), target.graph())};
-  if (!target.is_polynomial()) return {target.function()};
-  return {target.function(), horner_form(target.polynomial(), target.graph())};
+  if (form == "as_written" || (form == "tightest" && !target.is_polynomial())) return {target.function()};
+  try {
+    if (form == "expanded") return {target.polynomial().to_expression(target.graph())};
+    const Expression horner = horner_form(target.polynomial(), target.graph());
+    if (form == "horner") return {horner};
+    return {target.function(), horner};
+  } catch (const NotApplicable& reason) {
+    throw NotApplicable("in the form " + form + " " + reason.what());
+  }
 }
 
 std::unique_ptr<RangeBound> make(const BoundTarget& target, const Options& options) {
