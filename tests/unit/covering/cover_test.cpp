@@ -59,9 +59,7 @@ TEST(Cover, InequalitiesDropCellsWhereTheyFail) {
     const Cover whole = cover(bounds_of({"x^2 + y^2 = 1"}, name), box, {5, Split::all});
     const Cover half = cover(bounds_of({"x^2 + y^2 = 1"}, name, {"x <= 0"}), box, {5, Split::all});
     EXPECT_LT(half.tree.kept_cells(), whole.tree.kept_cells());
-    half.tree.for_each_leaf([](const CoverLeaf& leaf) {
-      EXPECT_TRUE(!leaf.kept || leaf.box[0].lower <= 0);
-    });
+    half.tree.for_each_leaf([](const CoverLeaf& leaf) { EXPECT_TRUE(!leaf.kept || leaf.box[0].lower <= 0); });
   }
 }
 
