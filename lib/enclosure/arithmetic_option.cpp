@@ -4,6 +4,7 @@ namespace gcslab {
 
 std::vector<OptionSpec> with_arithmetic_options(std::vector<OptionSpec> own) {
   std::vector<std::string> names;
+  names.reserve(kArithmetics.size());
   for (const Arithmetic arithmetic : kArithmetics) names.emplace_back(name_of(arithmetic));
   std::vector<OptionSpec> options = {
       choice_option("arithmetic", "interval arithmetic; unrounded is the unsound baseline", "fast", names),

@@ -30,10 +30,10 @@ bool ends_are_exact(const Interval& side, int depth) {
 /// A bound of the distance between a computed end and the exact one. Each halving adds at most one rounding
 /// of a number that is at most the magnitude of the side: less than twice its last place.
 Rational end_error(const Interval& side, int depth) {
-  const int last_place = std::max(std::ilogb(magnitude(side)) - 52, -1074);
-  Rational unit(depth);
-  if (last_place + 1 >= 0) return unit << static_cast<unsigned long>(last_place + 1);
-  return unit >> static_cast<unsigned long>(-(last_place + 1));
+  const long exponent = std::max(std::ilogb(magnitude(side)) - 52, -1074) + 1L;
+  const Rational halvings(depth);
+  return exponent >= 0 ? Rational(halvings << static_cast<unsigned long>(exponent))
+                       : Rational(halvings >> static_cast<unsigned long>(-exponent));
 }
 
 /// max |f| over the box.

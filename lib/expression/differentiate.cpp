@@ -124,6 +124,7 @@ Expression differentiate(Expression expression, int variable) {
 
 std::vector<Expression> gradient(Expression expression, int variables) {
   std::vector<Expression> result;
+  result.reserve(static_cast<std::size_t>(variables));
   for (int i = 0; i < variables; ++i) result.push_back(differentiate(expression, i));
   return result;
 }
