@@ -68,8 +68,10 @@ EquationSystem read_generated_system(const YamlNode& problem, const YamlNode& ge
   if (seed < 0) generator.at("seed").fail("must not be negative");
   options.seed = static_cast<std::uint64_t>(seed);
   mpz_class terms;
-  mpz_bin_uiui(terms.get_mpz_t(), static_cast<unsigned long>(options.total_degree + options.variables),
-               static_cast<unsigned long>(options.variables));
+  mpz_bin_uiui(
+      terms.get_mpz_t(),
+      static_cast<unsigned long>(options.total_degree) + static_cast<unsigned long>(options.variables),
+      static_cast<unsigned long>(options.variables));
   constexpr int kMaximumTerms = 100'000;
   if (terms > kMaximumTerms) generator.fail("has " + terms.get_str() + " terms; at most 100000 are made");
   system.equations = {random_polynomial(options).to_expression(*system.graph)};
