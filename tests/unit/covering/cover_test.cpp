@@ -69,6 +69,15 @@ TEST(Cover, AnEmptySetLeavesNoCell) {
   EXPECT_EQ(found.tree.visited_cells(), 1u);
 }
 
+TEST(Cover, ManySplitsOfTheExactBoundDoNotExhaustTheStack) {
+  auto graph = std::make_shared<ExpressionGraph>();
+  const BoundTarget target(graph, parse_expression(*graph, "(x - 1/3)^2 + (y - 1/3)^2", kVariables), 2);
+  const BoundVariant& exact = bound_registry().at("exact");
+  SetBounds set;
+  set.equations.push_back(exact.make(target, Options(exact.options, {{"splits", "200000"}}, "exact")));
+  EXPECT_GE(cover(set, {{0, 1}, {0, 1}}, {1, Split::all}).tree.kept_cells(), 1u);
+}
+
 TEST(Cover, AStopLeavesUndecidedBoxes) {
   std::stop_source source;
   source.request_stop();

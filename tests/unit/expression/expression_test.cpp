@@ -94,6 +94,7 @@ TEST_F(ExpressionTest, ErrorsTellColumnAndRemedy) {
   EXPECT_NE(error("(x").find("expected ')'"), std::string::npos);
   EXPECT_NE(error("1/0").find("division by the constant 0"), std::string::npos);
   EXPECT_NE(error("10^10^10").find("bits"), std::string::npos);
+  EXPECT_NE(error("x^(-2147483648)").find("too large"), std::string::npos);  // no int could be lessened by 1
   EXPECT_NE(error("min(x)").find("two arguments"), std::string::npos);
   EXPECT_NE(error("").find("column 1"), std::string::npos);
   EXPECT_NE(error(std::string(100000, '(')).find("nested too deeply"), std::string::npos);
