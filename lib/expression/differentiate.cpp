@@ -99,22 +99,10 @@ std::optional<Expression> derivative_of_node(Expression e, int variable, const D
   return outer_derivative(e) * *inner;
 }
 
-/// Marks the nodes that `root` needs.
-std::vector<bool> needed_nodes(Expression root) {
-  std::vector<bool> needed(root.index() + 1, false);
-  needed[root.index()] = true;
-  for (std::uint32_t i = root.index() + 1; i-- > 0;) {
-    if (!needed[i]) continue;
-    const Expression e = root.graph().node(i);
-    for (int k = 0; k < info(e.operation()).operands; ++k) needed[e.operand(k).index()] = true;
-  }
-  return needed;
-}
-
 }  // namespace
 
 Expression differentiate(Expression expression, int variable) {
-  const std::vector<bool> needed = needed_nodes(expression);
+  const std::vector<bool> needed = reachable_from({&expression, 1});
   Derivatives known(needed.size());
   for (std::uint32_t i = 0; i < needed.size(); ++i) {
     if (needed[i]) known[i] = derivative_of_node(expression.graph().node(i), variable, known);

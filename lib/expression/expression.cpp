@@ -178,6 +178,19 @@ Expression ExpressionGraph::power(Expression base, const Rational& exponent) {
   return intern({operation, base.index(), intern_constant(exponent)});
 }
 
+std::vector<bool> reachable_from(std::span<const Expression> roots) {
+  std::uint32_t size = 0;
+  for (const Expression& root : roots) size = std::max(size, root.index() + 1);
+  std::vector<bool> reached(size, false);
+  for (const Expression& root : roots) reached[root.index()] = true;
+  for (std::uint32_t i = size; i-- > 0;) {
+    if (!reached[i]) continue;
+    const Expression e = roots.front().graph().node(i);
+    for (int k = 0; k < info(e.operation()).operands; ++k) reached[e.operand(k).index()] = true;
+  }
+  return reached;
+}
+
 Expression operator+(Expression a, Expression b) { return a.graph().apply(Operation::add, a, b); }
 Expression operator-(Expression a, Expression b) { return a.graph().apply(Operation::subtract, a, b); }
 Expression operator*(Expression a, Expression b) { return a.graph().apply(Operation::multiply, a, b); }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -93,6 +94,10 @@ class ExpressionGraph {
   std::unordered_map<Node, std::uint32_t, NodeHash> index_of_node_;
   std::unordered_map<std::string, std::uint32_t> index_of_constant_;
 };
+
+/// Which nodes of the graph the roots, all of one graph and at least one, are built from, themselves
+/// included: a flag a node, up to the last root.
+std::vector<bool> reachable_from(std::span<const Expression> roots);
 
 Expression operator+(Expression a, Expression b);
 Expression operator-(Expression a, Expression b);

@@ -45,8 +45,7 @@ struct OperationInfo {
   std::string_view name;  ///< as a user writes it; empty for leaves and operators
   std::string_view latex;
   int operands;
-  bool polynomial;  ///< maps polynomials to polynomials (integer powers: when the exponent is >= 0)
-  bool total;       ///< defined and continuous for every real argument
+  bool total;  ///< defined and continuous for every real argument
 };
 
 const OperationInfo& info(Operation operation);

@@ -7,26 +7,13 @@ namespace {
 
 constexpr std::uint32_t kUnassigned = ~0u;
 
-std::vector<bool> needed_nodes(std::span<const Expression> outputs) {
-  std::uint32_t size = 0;
-  for (const Expression& output : outputs) size = std::max(size, output.index() + 1);
-  std::vector<bool> needed(size, false);
-  for (const Expression& output : outputs) needed[output.index()] = true;
-  for (std::uint32_t i = size; i-- > 0;) {
-    if (!needed[i]) continue;
-    const Expression e = outputs.front().graph().node(i);
-    for (int k = 0; k < info(e.operation()).operands; ++k) needed[e.operand(k).index()] = true;
-  }
-  return needed;
-}
-
 }  // namespace
 
 Tape::Tape(std::span<const Expression> outputs, int variables)
     : variables_(static_cast<std::size_t>(variables)) {
   GCSLAB_CHECK(!outputs.empty());
   ExpressionGraph& graph = outputs.front().graph();
-  const std::vector<bool> needed = needed_nodes(outputs);
+  const std::vector<bool> needed = reachable_from(outputs);
   std::vector<std::uint32_t> register_of(needed.size(), kUnassigned);
   for (std::uint32_t i = 0; i < needed.size(); ++i) {  // leaves first
     if (!needed[i]) continue;

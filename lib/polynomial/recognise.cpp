@@ -1,7 +1,6 @@
 #include "polynomial/recognise.h"
 
 #include <algorithm>
-#include <set>
 #include <unordered_map>
 
 #include "base/check.h"
@@ -15,18 +14,6 @@ struct Refusal {
 };
 
 /// The nodes below `root`, operands before what uses them.
-std::set<std::uint32_t> nodes_of(Expression root) {
-  std::set<std::uint32_t> found;
-  std::vector<Expression> open{root};
-  while (!open.empty()) {
-    const Expression node = open.back();
-    open.pop_back();
-    if (!found.insert(node.index()).second) continue;
-    for (int i = 0; i < info(node.operation()).operands; ++i) open.push_back(node.operand(i));
-  }
-  return found;
-}
-
 /// The bits of the longest coefficient.
 std::size_t coefficient_bits(const Polynomial& polynomial) {
   std::size_t bits = 0;
@@ -42,7 +29,9 @@ class Recogniser {
   Recogniser(int variables, const RecognitionLimits& limits) : variables_(variables), limits_(limits) {}
 
   Polynomial run(Expression root) {
-    for (const std::uint32_t index : nodes_of(root)) {
+    const std::vector<bool> reached = reachable_from({&root, 1});
+    for (std::uint32_t index = 0; index < reached.size(); ++index) {
+      if (!reached[index]) continue;
       Polynomial value = polynomial_of(root.graph().node(index));
       check_size(value);
       done_.emplace(index, std::move(value));
