@@ -1,0 +1,55 @@
+#pragma once
+
+// A linear combination of the rows of an expansion, solved for one variable.
+
+#include <span>
+#include <vector>
+
+#include "box_solver/expansion.h"
+#include "interval/reverse_operations.h"
+
+namespace gcslab {
+
+/// multiplier * x for a thin multiplier.
+inline FastInterval scaled(double multiplier, FastInterval x) {
+  const __m128d ends = multiplier < 0 ? fast_detail::swapped(x.raw()) : x.raw();
+  const double size = multiplier < 0 ? -multiplier : multiplier;
+  return FastInterval::from_raw(opaque(_mm_mul_pd(opaque(ends), _mm_set1_pd(size))));
+}
+template <class T>
+T scaled(double multiplier, const T& x) {
+  return NumberTraits<T>::from_interval(Interval(multiplier)) * x;
+}
+
+/// The sum multipliers[k] f_k as an expansion in dense columns, and its solution for a variable.
+template <class T>
+class CombinedRow {
+ public:
+  explicit CombinedRow(const ExpansionPlan& plan);
+
+  /// Sums the rows of the expansion. Multipliers are finite; those that are 0 leave their row out.
+  void combine(const Expansion<T>& expansion, std::span<const double> multipliers);
+
+  /// Encloses {z_i : z in the box `z`, the combination is 0 at z}.
+  T solve(std::size_t variable, std::span<const T> z) const;
+
+ private:
+  /// A column of degree >= 2, as `solve` takes it.
+  struct Mixed {
+    std::uint32_t column;
+    std::uint32_t first, second;  ///< the variables of z_first z_second
+  };
+
+  T range_of_column(std::size_t column, std::span<const T> z, std::size_t but_one_of) const;
+
+  const ExpansionPlan* plan_;
+  std::vector<std::uint32_t> square_columns_;  ///< of each variable; kNone without one
+  std::vector<Mixed> products_;                ///< z_i z_j, i < j
+  std::vector<std::uint32_t> higher_;          ///< every other column of degree >= 2
+  T zero_;
+  T constant_;
+  std::vector<T> values_;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+};
+
+}  // namespace gcslab

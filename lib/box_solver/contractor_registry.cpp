@@ -1,0 +1,62 @@
+#include "box_solver/contractor_registry.h"
+
+#include "box_solver/fixpoint_contractor.h"
+#include "box_solver/hull_contractor.h"
+#include "box_solver/multiplier_contractor.h"
+
+namespace gcslab {
+namespace {
+
+using Made = std::unique_ptr<Contractor>;
+
+Made make_hull(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
+    return make_hull_contractor<T>(functions, settings.propagation_ratio, settings.bits);
+  });
+}
+
+Made make_multipliers(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
+    return make_multiplier_contractor<T>(functions, {.bits = settings.bits});
+  });
+}
+
+std::vector<std::string> split_at_plus(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  for (std::size_t end = text.find('+'); end != std::string::npos; end = text.find('+', start)) {
+    parts.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  parts.push_back(text.substr(start));
+  return parts;
+}
+
+}  // namespace
+
+// A new contractor is one line here.
+const Registry<ContractorVariant>& contractor_registry() {
+  static const Registry<ContractorVariant> registry(
+      "contractor",
+      {
+          {"hull",
+           "forward-backward propagation through each function as it is written (HC4-revise, Benhamou et al. "
+           "1999)",
+           &make_hull},
+          {"multipliers",
+           "for each variable the least-squares combination of the expanded equations, solved for it",
+           &make_multipliers},
+      });
+  return registry;
+}
+
+std::unique_ptr<Contractor> make_contractor(const std::string& composition, const SystemFunctions& functions,
+                                            const ContractorSettings& settings) {
+  constexpr int kMaximumRounds = 50;
+  std::vector<std::unique_ptr<Contractor>> parts;
+  for (const std::string& name : split_at_plus(composition))
+    parts.push_back(contractor_registry().at(name).make(functions, settings));
+  return make_fixpoint_contractor(std::move(parts), settings.fixpoint_ratio, kMaximumRounds);
+}
+
+}  // namespace gcslab

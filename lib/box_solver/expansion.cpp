@@ -1,0 +1,213 @@
+#include "box_solver/expansion.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/check.h"
+#include "interval/arithmetic.h"
+#include "polynomial/tensor.h"
+
+namespace gcslab {
+namespace {
+
+/// Polynomials whose expansion has more terms than this get their mean value form.
+constexpr std::size_t kMaximumTerms = 20'000;
+
+Rational binomial(int n, int k) {
+  Rational result;
+  mpz_bin_uiui(result.get_num_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(k));
+  return result;
+}
+
+/// The number of (term, monomial of its expansion) pairs.
+std::size_t expansion_terms(const Polynomial& polynomial) {
+  std::size_t count = 0;
+  for (const auto& [exponents, coefficient] : polynomial.terms()) {
+    std::size_t product = 1;
+    for (const int e : exponents) {
+      product = std::min(product * static_cast<std::size_t>(e + 1), kMaximumTerms + 1);
+    }
+    count += product;
+  }
+  return count;
+}
+
+ScaledMonomial monomial_of(const Exponents& exponents) {
+  ScaledMonomial result;
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    if (exponents[i] > 0) result.factors.push_back({static_cast<std::uint32_t>(i), exponents[i]});
+  }
+  return result;
+}
+
+}  // namespace
+
+ExpansionPlan::ExpansionPlan(const SystemFunctions& functions) : functions_(&functions), products_(1) {
+  for (std::size_t i = 0; i < functions.variables(); ++i) {
+    Exponents exponents(functions.variables(), 0);
+    exponents[i] = 1;
+    columns_.push_back(monomial_of(exponents));
+    column_products_.push_back(product_of(exponents));
+  }
+  for (const SystemFunction& equation : functions.equations()) {
+    rows_.emplace_back();
+    if (equation.polynomial && expansion_terms(*equation.polynomial) <= kMaximumTerms)
+      add_row(*equation.polynomial);
+  }
+}
+
+void ExpansionPlan::add_row(const Polynomial& polynomial) {
+  struct Contribution {
+    Rational coefficient;
+    Exponents midpoint_powers;
+  };
+  std::map<Exponents, std::vector<Contribution>> entries;
+  for (const auto& [exponents, coefficient] : polynomial.terms()) {
+    Exponents taken(exponents.size(), 0);
+    do {
+      Contribution part{coefficient, exponents};
+      for (std::size_t i = 0; i < exponents.size(); ++i) {
+        part.coefficient *= binomial(exponents[i], taken[i]);
+        part.midpoint_powers[i] -= taken[i];
+      }
+      entries[taken].push_back(std::move(part));
+    } while (next_index(taken, exponents));
+  }
+  for (const auto& [exponents, contributions] : entries) {
+    const ScaledMonomial monomial = monomial_of(exponents);
+    Entry entry{monomial.factors.empty() ? kConstant : column_of(monomial),
+                static_cast<std::uint32_t>(terms_.size()), 0};
+    for (const Contribution& part : contributions) {
+      terms_.push_back({static_cast<std::uint32_t>(coefficients_.size()), product_of(part.midpoint_powers)});
+      coefficients_.push_back(part.coefficient);
+    }
+    entry.end_term = static_cast<std::uint32_t>(terms_.size());
+    rows_.back().entries.push_back(entry);
+  }
+  std::ranges::sort(rows_.back().entries, {}, &Entry::column);
+}
+
+std::uint32_t ExpansionPlan::column_of(const ScaledMonomial& monomial) {
+  const auto found = std::ranges::find(columns_, monomial);
+  if (found != columns_.end()) return static_cast<std::uint32_t>(found - columns_.begin());
+  Exponents exponents(functions_->variables(), 0);
+  for (const auto& [variable, power] : monomial.factors) exponents[variable] = power;
+  columns_.push_back(monomial);
+  column_products_.push_back(product_of(exponents));
+  return static_cast<std::uint32_t>(columns_.size() - 1);
+}
+
+std::uint32_t ExpansionPlan::product_of(const Exponents& exponents) {
+  std::uint32_t product = 0;
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    for (int e = 0; e < exponents[i]; ++e) {
+      const auto variable = static_cast<std::uint32_t>(i);
+      std::size_t place = 1;
+      while (place < products_.size() &&
+             (products_[place].parent != product || products_[place].variable != variable)) {
+        ++place;
+      }
+      if (place == products_.size()) products_.push_back({product, variable});
+      product = static_cast<std::uint32_t>(place);
+    }
+  }
+  return product;
+}
+
+template <class T>
+Expansion<T>::Expansion(const ExpansionPlan& plan)
+    : plan_(&plan),
+      midpoints_(plan.functions().variables()),
+      radii_(plan.functions().variables()),
+      rows_(plan.rows_.size()) {
+  for (const Rational& c : plan.coefficients_) coefficients_.push_back(NumberTraits<T>::from_rational(c));
+  for (const SystemFunction& equation : plan.functions().equations()) evaluators_.emplace_back(equation.tape);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    for (const auto& entry : plan.rows_[k].entries) {
+      if (entry.column != ExpansionPlan::kConstant) rows_[k].columns.push_back(entry.column);
+    }
+    if (plan.is_expanded(k)) continue;
+    for (const std::size_t i : plan.functions().equations()[k].variables)
+      rows_[k].columns.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (ExpansionRow<T>& row : rows_) row.values.resize(row.columns.size());
+}
+
+template <class T>
+void Expansion<T>::expand(const Box& box) {
+  box_.clear();
+  centre_.clear();
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    midpoints_[i] = midpoint(box[i]);
+    radii_[i] = radius(box[i]);
+    box_.push_back(NumberTraits<T>::from_interval(box[i]));
+    centre_.push_back(NumberTraits<T>::from_interval(Interval(midpoints_[i])));
+  }
+  compute_products(midpoints_, midpoint_products_);
+  compute_products(radii_, radius_products_);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    if (plan_->is_expanded(k)) {
+      expand_polynomial(k);
+    } else {
+      expand_by_mean_value(k);
+    }
+  }
+}
+
+template <class T>
+void Expansion<T>::compute_products(std::span<const double> numbers, std::vector<T>& products) const {
+  products.resize(plan_->products_.size());
+  products[0] = NumberTraits<T>::from_interval(Interval(1));
+  for (std::size_t p = 1; p < products.size(); ++p) {
+    const auto& [parent, variable] = plan_->products_[p];
+    const T number = NumberTraits<T>::from_interval(Interval(numbers[variable]));
+    products[p] = parent == 0 ? number : products[parent] * number;
+  }
+}
+
+template <class T>
+void Expansion<T>::expand_polynomial(std::size_t equation) {
+  ExpansionRow<T>& row = rows_[equation];
+  row.constant = NumberTraits<T>::from_interval(Interval(0));
+  T* value = row.values.data();
+  for (const auto& [column, first, end] : plan_->rows_[equation].entries) {
+    const auto term = [&](std::uint32_t t) {
+      const auto& [coefficient, product] = plan_->terms_[t];
+      return product == 0 ? coefficients_[coefficient]
+                          : coefficients_[coefficient] * midpoint_products_[product];
+    };
+    T sum = term(first);
+    for (std::uint32_t t = first + 1; t < end; ++t) sum = sum + term(t);
+    if (column == ExpansionPlan::kConstant) {
+      row.constant = sum;
+    } else {
+      *value++ = sum * radius_products_[plan_->column_products_[column]];
+    }
+  }
+}
+
+template <class T>
+void Expansion<T>::expand_by_mean_value(std::size_t equation) {
+  ExpansionRow<T>& row = rows_[equation];
+  TapeEvaluator<T>& evaluator = evaluators_[equation];
+  evaluator.evaluate(centre_);
+  row.constant = evaluator.value();
+  evaluator.evaluate(box_);
+  if (!evaluator.defined_everywhere()) {
+    row.constant = NumberTraits<T>::from_interval(Interval::entire());
+    std::ranges::fill(row.values, NumberTraits<T>::from_interval(Interval(0)));
+    return;
+  }
+  const std::span<const T> gradient = evaluator.reverse_gradient();
+  for (std::size_t c = 0; c < row.columns.size(); ++c) {
+    const std::uint32_t variable = row.columns[c];
+    row.values[c] = gradient[variable] * NumberTraits<T>::from_interval(Interval(radii_[variable]));
+  }
+}
+
+template class Expansion<FastInterval>;
+template class Expansion<BoostInterval>;
+template class Expansion<MpfrInterval>;
+template class Expansion<UnroundedInterval>;
+
+}  // namespace gcslab

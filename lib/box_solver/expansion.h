@@ -1,0 +1,117 @@
+#pragma once
+
+// The equations of a system expanded about the midpoint of a box, in the scaled variables z of
+// x_i = m_i + r_i z_i, z in [-1, 1]^n.
+//
+// Promise: wherever z stands for a point of the box at which all equations are defined, equation k equals
+// constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within the
+// interval coefficients. Columns 0 .. n-1 are the z_i themselves. A polynomial equation gets the columns of
+// all monomials of its Taylor expansion, with coefficients as thin as rounding allows; any other equation,
+// and a polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in
+// the linear columns alone. An equation that may be undefined in the box gets an empty row with an unbounded
+// constant.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "certification/system_functions.h"
+
+namespace gcslab {
+
+/// One monomial of z: variables ascending, each with its power >= 1.
+struct ScaledMonomial {
+  struct Factor {
+    std::uint32_t variable;
+    int power;
+    bool operator==(const Factor&) const = default;
+    auto operator<=>(const Factor&) const = default;
+  };
+  std::vector<Factor> factors;
+
+  bool operator==(const ScaledMonomial&) const = default;
+  auto operator<=>(const ScaledMonomial&) const = default;
+};
+
+/// One row: values for some columns, ascending.
+template <class T>
+struct ExpansionRow {
+  T constant;
+  std::vector<std::uint32_t> columns;
+  std::vector<T> values;
+};
+
+/// Which monomials and terms occur: found once for a system.
+class ExpansionPlan {
+ public:
+  explicit ExpansionPlan(const SystemFunctions& functions);
+
+  const SystemFunctions& functions() const { return *functions_; }
+  const std::vector<ScaledMonomial>& columns() const { return columns_; }
+  /// Whether that equation is expanded as a polynomial.
+  bool is_expanded(std::size_t equation) const { return !rows_[equation].entries.empty(); }
+
+ private:
+  template <class T>
+  friend class Expansion;
+
+  /// A product of variables: that of `parent` times one more.
+  struct Product {
+    std::uint32_t parent;
+    std::uint32_t variable;
+  };
+  struct Term {
+    std::uint32_t coefficient;
+    std::uint32_t product;  ///< of midpoints
+  };
+  struct Entry {
+    std::uint32_t column;  ///< kConstant for the constant
+    std::uint32_t first_term;
+    std::uint32_t end_term;
+  };
+  struct Row {
+    std::vector<Entry> entries;
+  };
+  static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
+
+  void add_row(const Polynomial& polynomial);
+  std::uint32_t column_of(const ScaledMonomial& monomial);
+  std::uint32_t product_of(const Exponents& exponents);
+
+  const SystemFunctions* functions_;
+  std::vector<ScaledMonomial> columns_;
+  std::vector<std::uint32_t> column_products_;  ///< of radii, one a column
+  std::vector<Product> products_;               ///< after their parents; number 0 is the empty product
+  std::vector<Rational> coefficients_;
+  std::vector<Term> terms_;
+  std::vector<Row> rows_;
+};
+
+template <class T>
+class Expansion {
+ public:
+  /// A NumberTraits<T>::Scope must be alive from here to the last call. `plan` must outlive it.
+  explicit Expansion(const ExpansionPlan& plan);
+
+  /// Expands about the midpoint of a bounded box.
+  void expand(const Box& box);
+
+  std::span<const double> midpoints() const { return midpoints_; }
+  std::span<const double> radii() const { return radii_; }
+  const ExpansionRow<T>& row(std::size_t equation) const { return rows_[equation]; }
+  const ExpansionPlan& plan() const { return *plan_; }
+
+ private:
+  void compute_products(std::span<const double> numbers, std::vector<T>& products) const;
+  void expand_polynomial(std::size_t equation);
+  void expand_by_mean_value(std::size_t equation);
+
+  const ExpansionPlan* plan_;
+  std::vector<T> coefficients_;
+  std::vector<TapeEvaluator<T>> evaluators_;
+  std::vector<double> midpoints_, radii_;
+  std::vector<T> midpoint_products_, radius_products_, box_, centre_;
+  std::vector<ExpansionRow<T>> rows_;
+};
+
+}  // namespace gcslab

@@ -1,0 +1,129 @@
+#include "box_solver/multiplier_contractor.h"
+
+#include <cmath>
+
+#include "box_solver/combined_row.h"
+#include "box_solver/least_squares.h"
+#include "interval/arithmetic.h"
+
+namespace gcslab {
+namespace {
+
+template <class T>
+class MultiplierContractor final : public Contractor {
+ public:
+  MultiplierContractor(const SystemFunctions& functions, const MultiplierOptions& options)
+      : options_(options), plan_(functions), parts_(made(plan_, options)) {}
+
+  bool contract(Box& box, ProofTrace& trace) override {
+    for (const Interval& side : box) {
+      if (!is_bounded(side)) return true;
+    }
+    const typename NumberTraits<T>::Scope scope(options_.bits);
+    Expansion<T>& expansion = parts_.expansion;
+    expansion.expand(box);
+    if (!compute_multipliers()) return true;
+    trace.add({Argument::expansion});
+    scale_box(box);
+    for (int pass = 0; pass < options_.passes; ++pass) {
+      for (std::size_t i = 0; i < box.size(); ++i) {
+        if (!solve_for(i, box, pass == 0, trace)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Parts {
+    Expansion<T> expansion;
+    std::vector<CombinedRow<T>> rows;  ///< one a variable, kept for the second pass
+  };
+
+  static Parts made(const ExpansionPlan& plan, const MultiplierOptions& options) {
+    const typename NumberTraits<T>::Scope scope(options.bits);
+    return {Expansion<T>(plan),
+            std::vector<CombinedRow<T>>(plan.functions().variables(), CombinedRow<T>(plan))};
+  }
+
+  /// C from the midpoints of the expansion.
+  bool compute_multipliers() {
+    const std::size_t equations = plan_.functions().equations().size();
+    system_.reset(equations, plan_.columns().size(), plan_.functions().variables());
+    for (std::size_t k = 0; k < equations; ++k) {
+      const ExpansionRow<T>& row = parts_.expansion.row(k);
+      if (!is_bounded(NumberTraits<T>::enclosure(row.constant))) continue;
+      for (std::size_t c = 0; c < row.columns.size(); ++c)
+        system_.set(k, row.columns[c], midpoint(NumberTraits<T>::enclosure(row.values[c])));
+    }
+    return system_.solve();
+  }
+
+  void scale_box(const Box& box) {
+    z_.clear();
+    for (std::size_t i = 0; i < box.size(); ++i) z_.push_back(scaled_side(i, box[i]));
+  }
+
+  /// Encloses (side - m) / r; [-1, 1] for a point.
+  T scaled_side(std::size_t i, const Interval& side) const {
+    const double r = parts_.expansion.radii()[i];
+    const T unit = NumberTraits<T>::from_interval(Interval(-1, 1));
+    if (r == 0) return NumberTraits<T>::from_interval(Interval(0));
+    const T offset = NumberTraits<T>::from_interval(side) -
+                     NumberTraits<T>::from_interval(Interval(parts_.expansion.midpoints()[i]));
+    return intersection(offset / NumberTraits<T>::from_interval(Interval(r)), unit);
+  }
+
+  bool solve_for(std::size_t i, Box& box, bool first_pass, ProofTrace& trace) {
+    CombinedRow<T>& row = parts_.rows[i];
+    if (first_pass) {
+      row.combine(parts_.expansion, system_.multipliers(i));
+    }
+    const T solved = row.solve(i, z_);
+    const Interval reduced = NumberTraits<T>::enclosure(solved);
+    if (reduced == NumberTraits<T>::enclosure(z_[i])) return true;
+    Interval side = Interval::empty();
+    if (!is_empty(reduced)) {
+      const T x = NumberTraits<T>::from_interval(Interval(parts_.expansion.midpoints()[i])) +
+                  solved * NumberTraits<T>::from_interval(Interval(parts_.expansion.radii()[i]));
+      side = intersection(box[i], NumberTraits<T>::enclosure(x));
+    }
+    if (side == box[i]) return true;
+    tell(i, side, trace);
+    if (is_empty(side)) return false;
+    box[i] = side;
+    z_[i] = scaled_side(i, side);
+    return true;
+  }
+
+  void tell(std::size_t i, const Interval& side, ProofTrace& trace) const {
+    if (!trace.wanted()) return;
+    const std::span<const double> multipliers = system_.multipliers(i);
+    trace.add({Argument::expansion_row, 0, static_cast<std::uint32_t>(i), side,
+               std::vector<double>(multipliers.begin(), multipliers.end())});
+  }
+
+  MultiplierOptions options_;
+  ExpansionPlan plan_;
+  Parts parts_;
+  LeastSquaresMultipliers system_;
+  std::vector<T> z_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Contractor> make_multiplier_contractor(const SystemFunctions& functions,
+                                                       const MultiplierOptions& options) {
+  return std::make_unique<MultiplierContractor<T>>(functions, options);
+}
+
+template std::unique_ptr<Contractor> make_multiplier_contractor<FastInterval>(const SystemFunctions&,
+                                                                              const MultiplierOptions&);
+template std::unique_ptr<Contractor> make_multiplier_contractor<BoostInterval>(const SystemFunctions&,
+                                                                               const MultiplierOptions&);
+template std::unique_ptr<Contractor> make_multiplier_contractor<MpfrInterval>(const SystemFunctions&,
+                                                                              const MultiplierOptions&);
+template std::unique_ptr<Contractor> make_multiplier_contractor<UnroundedInterval>(const SystemFunctions&,
+                                                                                   const MultiplierOptions&);
+
+}  // namespace gcslab

@@ -1,0 +1,69 @@
+#pragma once
+
+// What one thread does with one box of the search.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "box_solver/search.h"
+#include "certification/krawczyk_certifier.h"
+#include "interval/fast_interval.h"
+
+namespace gcslab {
+
+/// A box of the search with what strategies want to know of its past.
+struct SearchNode {
+  std::uint64_t id = 0;
+  Box box;
+  std::size_t last_variable = 0;
+  double measure = 0;  ///< best-first: larger is taken first
+};
+
+/// A box in which a certified root is the only one.
+struct ExclusionBox {
+  Box box;
+  std::size_t root;  ///< number of the root
+};
+
+struct NodeOutcome {
+  enum class Kind {
+    empty,      ///< has no solution
+    covered,    ///< its only possible root is a certified one: `root`, or the one in `found`
+    cut,        ///< to be searched in two parts
+    undecided,  ///< too small to cut
+    skipped     ///< not worked on: the search was stopped
+  };
+  Kind kind = Kind::skipped;
+  Box box;                             ///< what is left after contraction
+  std::optional<CertifiedRoot> found;  ///< a root proved here, in the box or near it
+  std::size_t root = 0;                ///< covered: the number of the root, when `found` is empty
+  Cut cut{};
+  ProofTrace trace;
+};
+
+class NodeProcessor {
+ public:
+  NodeProcessor(const SystemFunctions& functions, const Box& search_box,
+                std::unique_ptr<Contractor> contractor, const SearchOptions& options);
+
+  NodeOutcome process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions);
+
+ private:
+  bool is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const;
+  void find_root(NodeOutcome& outcome);
+  void cut_or_keep(const SearchNode& node, NodeOutcome& outcome);
+  std::optional<Cut> cut_at_uniqueness_box(const Box& box, const Box& uniqueness) const;
+  bool is_open(std::size_t variable, const Interval& side) const;
+
+  const SystemFunctions* functions_;
+  const SearchOptions* options_;
+  std::vector<double> scales_;           ///< of the variables: the radii of the search box
+  std::vector<double> least_magnitude_;  ///< of a variable, for its resolution
+  std::unique_ptr<Contractor> contractor_;
+  std::unique_ptr<Bisection> bisection_;
+  std::optional<NewtonIteration> newton_;  ///< square systems
+  std::optional<KrawczykCertifier<FastInterval>> certifier_;
+};
+
+}  // namespace gcslab

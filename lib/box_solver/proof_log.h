@@ -1,0 +1,53 @@
+#pragma once
+
+// The proof that a search lost nothing, as a text that can be checked without searching.
+//
+// One line an event, numbers as hexadecimal floats, variables and functions by number from 0:
+//   gcslab-proof 1
+//   box LO HI ...                 the search box, one pair a variable
+//   start ID LO HI ...            a box that the search starts from
+//   root R LO HI ... U LO HI ...  root number R: its box and its uniqueness box, proved on their own
+//   node ID                       what was done with box ID, in this order:
+//     hull_equation K V LO HI        forward-backward propagation through equation K narrows variable V
+//     hull_inequality K V LO HI
+//     expansion                      expansions are about the midpoint of the box as it is now
+//     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
+//     mean_value_row V LO HI C ...
+//                                    "empty" in place of LO HI: no root in the box
+//   and how it ended:
+//     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
+//   end
+// Every line says what holds because of it; proof_step.h says why.
+
+#include <cstdint>
+#include <iosfwd>
+
+#include "box_solver/proof_step.h"
+#include "certification/root_certificate.h"
+
+namespace gcslab {
+
+class ProofLog {
+ public:
+  /// Writes to `out`, which must outlive it.
+  explicit ProofLog(std::ostream& out) : out_(&out) {}
+
+  void begin(const Box& search_box);
+  void start(std::uint64_t id, const Box& box);
+  void root(std::size_t number, const CertifiedRoot& root);
+  void node(std::uint64_t id, const ProofTrace& trace);
+  void end_empty();
+  void end_covered(std::size_t root);
+  void end_undecided();
+  void end_pending();
+  void end_cut(std::size_t variable, double point, std::uint64_t lower, std::uint64_t upper);
+  void finish();
+
+ private:
+  void write_box(const Box& box);
+  void write_step(const ProofStep& step);
+
+  std::ostream* out_;
+};
+
+}  // namespace gcslab

@@ -1,0 +1,50 @@
+#pragma once
+
+// What a contractor did to a box and why, in a form that can be replayed without the contractor.
+//
+// Each step narrows one variable (or shows that the box has no root) by an argument that names all it rests
+// on: the number of a function, or multipliers of the equations. A verifier repeats the argument in its own
+// arithmetic and checks that what it gets lies in what is claimed.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "interval/interval.h"
+
+namespace gcslab {
+
+enum class Argument : std::uint8_t {
+  hull_of_equation,    ///< forward-backward propagation through equation `function` = 0
+  hull_of_inequality,  ///< the same through inequality `function` <= 0
+  expansion,           ///< from here on, expansions are about the midpoint of the box as it is now
+  expansion_row,       ///< the expansion of sum multipliers[k] f_k, solved for the variable
+  mean_value_row,      ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
+};
+
+struct ProofStep {
+  Argument argument;
+  std::uint32_t function = 0;
+  std::uint32_t variable = 0;
+  Interval result{};  ///< of the variable; empty: the box has no root
+  std::vector<double> multipliers{};
+};
+
+/// Collects the steps taken on one box, when somebody wants them.
+class ProofTrace {
+ public:
+  explicit ProofTrace(bool wanted = false) : wanted_(wanted) {}
+
+  bool wanted() const { return wanted_; }
+  void add(ProofStep step) {
+    if (wanted_) steps_.push_back(std::move(step));
+  }
+  const std::vector<ProofStep>& steps() const { return steps_; }
+  void clear() { steps_.clear(); }
+
+ private:
+  bool wanted_;
+  std::vector<ProofStep> steps_;
+};
+
+}  // namespace gcslab

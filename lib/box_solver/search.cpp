@@ -1,0 +1,208 @@
+#include "box_solver/search.h"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "box_solver/inequality_check.h"
+#include "box_solver/node_processor.h"
+#include "box_solver/worker_pool.h"
+
+namespace gcslab {
+namespace {
+
+/// The same for any number of threads, so that the answer is too.
+constexpr std::size_t kBatch = 16;
+
+bool meet(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (disjoint(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+bool is_subset(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!subset(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+/// Largest relative side: what best-first search takes first.
+double measure_of(const Box& box, const Box& search_box) {
+  double largest = 0;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const double whole = width(search_box[i]);
+    largest = std::max(largest, whole > 0 ? width(box[i]) / whole : 0);
+  }
+  return largest;
+}
+
+class Search {
+ public:
+  Search(const SystemFunctions& functions, const Box& search_box, const ContractorMaker& make_contractor,
+         const SearchOptions& options)
+      : functions_(functions),
+        search_box_(search_box),
+        options_(options),
+        inequalities_(functions),
+        pool_(options.threads, [&] {
+          return std::make_unique<NodeProcessor>(functions, search_box, make_contractor(functions), options);
+        }) {}
+
+  SearchResult run(std::vector<Box> boxes, const std::stop_token& stop, SearchObserver* observer) {
+    if (options_.proof != nullptr) options_.proof->begin(search_box_);
+    for (auto box = boxes.rbegin(); box != boxes.rend(); ++box) {
+      if (options_.proof != nullptr) options_.proof->start(next_id_, *box);
+      push({next_id_++, std::move(*box), 0, 0});
+    }
+    while (!open_.empty() && !stop.stop_requested() && within_budget()) {
+      take_batch();
+      const auto work = [&](NodeProcessor& processor, std::size_t i) {
+        if (!stop.stop_requested()) outcomes_[i] = processor.process(batch_[i], exclusions_);
+      };
+      pool_.run(batch_.size(), work);
+      merge_batch();
+      if (observer != nullptr)
+        observer->batch_done(result_.statistics, open_.size(), result_.solutions.size());
+    }
+    for (SearchNode& node : open_) keep_pending(node);
+    if (options_.proof != nullptr) options_.proof->finish();
+    return std::move(result_);
+  }
+
+ private:
+  bool within_budget() const {
+    return result_.statistics.boxes < options_.maximum_boxes && open_.size() < options_.maximum_open;
+  }
+
+  void push(SearchNode node) {
+    if (options_.order == Order::depth_first) {
+      open_.push_back(std::move(node));
+      return;
+    }
+    node.measure = measure_of(node.box, search_box_);
+    open_.push_back(std::move(node));
+    std::ranges::push_heap(open_, {}, &SearchNode::measure);
+  }
+
+  void take_batch() {
+    batch_.clear();
+    while (!open_.empty() && batch_.size() < kBatch) {
+      if (options_.order == Order::best_first) std::ranges::pop_heap(open_, {}, &SearchNode::measure);
+      batch_.push_back(std::move(open_.back()));
+      open_.pop_back();
+    }
+    outcomes_.assign(batch_.size(), NodeOutcome());
+  }
+
+  /// The last node of the batch was the deepest; its children are pushed last.
+  void merge_batch() {
+    for (std::size_t i = batch_.size(); i-- > 0;) merge(batch_[i], outcomes_[i]);
+  }
+
+  void merge(SearchNode& node, NodeOutcome& outcome) {
+    if (outcome.kind == NodeOutcome::Kind::skipped) {
+      push(std::move(node));
+      return;
+    }
+    ++result_.statistics.boxes;
+    const bool is_settled = !outcome.found || take_root(outcome);
+    if (options_.proof != nullptr) options_.proof->node(node.id, outcome.trace);
+    switch (outcome.kind) {
+      case NodeOutcome::Kind::covered:
+        if (is_settled) {
+          if (options_.proof != nullptr) options_.proof->end_covered(outcome.root);
+        } else {
+          keep_undecided(outcome, "a root that could not be told from another one");
+        }
+        return;
+      case NodeOutcome::Kind::empty:
+        if (options_.proof != nullptr) options_.proof->end_empty();
+        return;
+      case NodeOutcome::Kind::undecided:
+        keep_undecided(outcome, "as narrow as the resolution, with nothing proved");
+        return;
+      case NodeOutcome::Kind::cut:
+        cut(outcome);
+        return;
+      case NodeOutcome::Kind::skipped:
+        return;
+    }
+  }
+
+  void keep_undecided(NodeOutcome& outcome, std::string reason) {
+    if (options_.proof != nullptr) options_.proof->end_undecided();
+    result_.undecided.push_back({std::move(outcome.box), std::move(reason)});
+  }
+
+  void keep_pending(SearchNode& node) {
+    if (options_.proof != nullptr) {
+      options_.proof->node(node.id, ProofTrace());
+      options_.proof->end_pending();
+    }
+    result_.pending.push_back(std::move(node.box));
+  }
+
+  void cut(const NodeOutcome& outcome) {
+    ++result_.statistics.bisections;
+    const auto [variable, point] = outcome.cut;
+    if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
+    SearchNode lower{next_id_++, outcome.box, variable, 0};
+    SearchNode upper{next_id_++, outcome.box, variable, 0};
+    lower.box[variable].upper = point;
+    upper.box[variable].lower = point;
+    push(std::move(upper));
+    push(std::move(lower));
+  }
+
+  /// Enters the root of an outcome into the list of known ones unless it is there. False when that cannot be
+  /// told.
+  bool take_root(NodeOutcome& outcome) {
+    const CertifiedRoot& root = *outcome.found;
+    for (std::size_t k = 0; k < roots_.size(); ++k) {
+      const bool same =
+          is_subset(root.box, roots_[k].uniqueness_box) || is_subset(roots_[k].box, root.uniqueness_box);
+      if (same) {
+        exclude(root.uniqueness_box, k, root);
+        outcome.root = k;
+        return true;
+      }
+      if (meet(root.box, roots_[k].box)) return false;
+    }
+    outcome.root = roots_.size();
+    roots_.push_back(root);
+    exclude(root.uniqueness_box, outcome.root, root);
+    if (!meet(root.box, search_box_)) return true;
+    if (const auto state = inequalities_.at(root.box)) result_.solutions.push_back({root, *state});
+    return true;
+  }
+
+  void exclude(const Box& box, std::size_t number, const CertifiedRoot& root) {
+    exclusions_.push_back({box, number});
+    if (options_.proof != nullptr) options_.proof->root(number, root);
+  }
+
+  const SystemFunctions& functions_;
+  const Box& search_box_;
+  const SearchOptions& options_;
+  InequalityCheck inequalities_;
+  WorkerPool<NodeProcessor> pool_;
+  std::vector<SearchNode> open_;  ///< a stack, or a heap by measure
+  std::vector<SearchNode> batch_;
+  std::vector<NodeOutcome> outcomes_;
+  std::vector<CertifiedRoot> roots_;  ///< in the search box or near it
+  std::vector<ExclusionBox> exclusions_;
+  std::uint64_t next_id_ = 0;
+  SearchResult result_;
+};
+
+}  // namespace
+
+SearchResult search(const SystemFunctions& functions, const Box& search_box, std::vector<Box> boxes,
+                    const ContractorMaker& make_contractor, const SearchOptions& options,
+                    const std::stop_token& stop, SearchObserver* observer) {
+  return Search(functions, search_box, make_contractor, options).run(std::move(boxes), stop, observer);
+}
+
+}  // namespace gcslab

@@ -1,0 +1,78 @@
+#pragma once
+
+// The branch-and-prune engine: contract a box, certify a root in it, or cut it in two.
+//
+// Promise: every solution of the system in the search box lies in the box of a listed solution or in an
+// undecided box. Each listed solution is certified, and no two are the same root. The answer does not depend
+// on the number of threads: boxes are taken in batches of one size, each is worked on with what was known
+// when its batch began, and the findings are taken in order.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "box_solver/bisection.h"
+#include "box_solver/contractor.h"
+#include "box_solver/proof_log.h"
+#include "certification/root_certificate.h"
+
+namespace gcslab {
+
+enum class Order { depth_first, best_first };
+
+struct SearchOptions {
+  std::string bisection = "relative_smear_sum";
+  Order order = Order::depth_first;
+  double resolution = 1e-13;  ///< sides narrower than this part of their magnitude are not cut
+  std::uint64_t maximum_boxes = ~std::uint64_t{0};
+  std::size_t maximum_open = 2'000'000;  ///< boxes held in memory
+  int threads = 1;
+  ProofLog* proof = nullptr;  ///< told everything that the search does
+};
+
+/// What is known of the inequalities at a root.
+enum class InequalityState { proved, undecided };
+
+struct Solution {
+  CertifiedRoot root;
+  InequalityState inequalities = InequalityState::proved;
+};
+
+struct UndecidedBox {
+  Box box;
+  std::string reason;
+};
+
+struct SearchStatistics {
+  std::uint64_t boxes = 0;  ///< taken from the list
+  std::uint64_t bisections = 0;
+};
+
+struct SearchResult {
+  std::vector<Solution> solutions;
+  std::vector<UndecidedBox> undecided;  ///< searched down to the resolution
+  std::vector<Box> pending;             ///< not searched when the budget ended
+  SearchStatistics statistics;
+  bool is_proved = true;  ///< false when a baseline took part
+};
+
+/// Makes the contractor of one thread.
+using ContractorMaker = std::function<std::unique_ptr<Contractor>(const SystemFunctions&)>;
+
+/// Sees the search as it goes on.
+class SearchObserver {
+ public:
+  virtual ~SearchObserver() = default;
+  virtual void batch_done(const SearchStatistics&, std::size_t /*open*/, std::size_t /*solutions*/) {}
+};
+
+/// Searches the boxes, which together are the search box or what is left of it. `search_box` says which roots
+/// are solutions: those whose box meets it.
+SearchResult search(const SystemFunctions& functions, const Box& search_box, std::vector<Box> boxes,
+                    const ContractorMaker& make_contractor, const SearchOptions& options,
+                    const std::stop_token& stop = {}, SearchObserver* observer = nullptr);
+
+}  // namespace gcslab

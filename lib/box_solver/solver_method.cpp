@@ -1,0 +1,63 @@
+#include "box_solver/solver_method.h"
+
+namespace gcslab {
+
+std::vector<OptionSpec> SolverMethod::options() const {
+  std::vector<std::string> arithmetics;
+  for (const Arithmetic a : kArithmetics) arithmetics.emplace_back(name_of(a));
+  return {
+      OptionSpec{
+          "contractor",
+          "what shrinks a box: names joined by +, applied in turn to a fixpoint; see gcslab list methods",
+          contractor},
+      choice_option("arithmetic", "the interval arithmetic of the contractors", "fast", arithmetics),
+      integer_option("bits", "precision of the arithmetic mpfr", "bits", 128, 24, 100'000),
+      choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
+                    bisection_registry().names()),
+      choice_option("order", "which box is taken next", "depth_first", {"depth_first", "best_first"}),
+      real_option("fixpoint_ratio", "contract again while a round shrinks some side by this part of it", "",
+                  0.2, 1e-3, 1),
+      real_option("propagation_ratio", "a side that shrank by less than this part wakes no other equation",
+                  "", 0.1, 0, 1),
+      real_option("resolution", "a side narrower than this part of its magnitude is not cut", "", 1e-13,
+                  1e-16, 1),
+      integer_option("maximum_boxes", "work budget", "boxes", 1'000'000'000, 1, 1'000'000'000'000),
+  };
+}
+
+Promise SolverMethod::promise(const Options& options) {
+  return promise_of(arithmetic_from_name(options.word("arithmetic")));
+}
+
+// A new method is one line here.
+const Registry<SolverMethod>& solver_method_registry() {
+  static const Registry<SolverMethod> registry(
+      "method", {
+                    {"adaptive", "hull consistency, then least-squares multipliers, repeated while they gain",
+                     1, "hull+multipliers"},
+                    {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
+                });
+  return registry;
+}
+
+ContractorMaker contractor_maker(const Options& options) {
+  ContractorSettings settings;
+  settings.arithmetic = arithmetic_from_name(options.word("arithmetic"));
+  settings.bits = static_cast<int>(options.integer("bits"));
+  settings.propagation_ratio = options.real("propagation_ratio");
+  settings.fixpoint_ratio = options.real("fixpoint_ratio");
+  return [settings, composition = options.word("contractor")](const SystemFunctions& functions) {
+    return make_contractor(composition, functions, settings);
+  };
+}
+
+SearchOptions search_options(const Options& options) {
+  SearchOptions result;
+  result.bisection = options.word("bisection");
+  result.order = options.word("order") == "best_first" ? Order::best_first : Order::depth_first;
+  result.resolution = options.real("resolution");
+  result.maximum_boxes = static_cast<std::uint64_t>(options.integer("maximum_boxes"));
+  return result;
+}
+
+}  // namespace gcslab

@@ -1,0 +1,55 @@
+#pragma once
+
+// Existence and uniqueness of roots by Krawczyk's operator.
+//
+// Existence: with C nonsingular and S(X, c) the slopes of f from c to the points of X, the operator
+//   K(X) = c - C f(c) + (I - C S(X, c)) (X - c)
+// contains x - C f(x) for every x in X, so that K(X) in the interior of X proves a root in K(X) (Krawczyk
+// 1969, Moore 1977; with slopes: Neumaier 1990, section 5.2). Uniqueness: when the slopes S(U, R) from a box
+// R that contains a root to the points of U satisfy ||I - C S|| < 1 in a weighted maximum norm, f(x) = S (x -
+// root) vanishes in U at that root alone. The second needs no inclusion, so that U can be far larger than X.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "certification/newton_iteration.h"
+#include "certification/root_certificate.h"
+#include "certification/system_functions.h"
+
+namespace gcslab {
+
+template <class T>
+class KrawczykCertifier {
+ public:
+  /// For square systems. `functions` must outlive it.
+  KrawczykCertifier(const SystemFunctions& functions, int bits);
+
+  /// Tries to prove that a small box around the approximate root contains exactly one root.
+  std::optional<CertifiedRoot> certify(const ApproximateRoot& approximate);
+
+  /// Makes the uniqueness box of a certified root as large as it finds proof for. `wanted` is the box that it
+  /// ought to cover; `scales` are the sizes of the variables, which give the shape beyond that.
+  void enlarge_uniqueness(CertifiedRoot& root, const ApproximateRoot& approximate, const Box& wanted,
+                          std::span<const double> scales);
+
+  /// An upper bound of ||I - C S(candidate, root)|| in the maximum norm weighted by the candidate's sides:
+  /// below 1, `candidate` holds no root beside the one in `root`, which it must contain. Infinite when the
+  /// equations may be undefined.
+  double contraction_norm(const Box& candidate, const Box& root, const Matrix<double>& inverse);
+
+ private:
+  std::vector<T> numbers(const Box& box) const;
+  /// K(X) as a box; nothing when f may be undefined on X.
+  std::optional<Box> image(const Box& x, const ApproximateRoot& approximate);
+  /// I - C S for the slopes in slopes_.
+  void compute_residual(const Matrix<double>& inverse);
+
+  const SystemFunctions* functions_;
+  int bits_;
+  SystemEvaluator<T> evaluator_;
+  Matrix<T> slopes_;
+  Matrix<T> residual_;
+};
+
+}  // namespace gcslab
