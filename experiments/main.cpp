@@ -20,6 +20,7 @@
 #include "experiments/commands/list_command.h"
 #include "experiments/commands/report_command.h"
 #include "experiments/commands/run_command.h"
+#include "experiments/commands/solve_command.h"
 #include "experiments/commands/validate_command.h"
 #include "experiments/reporting/report.h"
 #include "experiments/tasks/registry.h"
@@ -109,6 +110,7 @@ int main_program(int argc, char** argv) {
   add_list_command(app, exit_code);
   add_describe_command(app, exit_code);
   add_cover_command(app, exit_code);
+  add_solve_command(app, exit_code);
   add_run_command(app, catalogue, exit_code);
   add_report_command(app, catalogue, exit_code);
   add_validate_command(app, catalogue, exit_code);

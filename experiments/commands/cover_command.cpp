@@ -1,17 +1,17 @@
 #include "experiments/commands/cover_command.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "covering/cover.h"
 #include "enclosure/bound_registry.h"
+#include "experiments/commands/command_options.h"
 #include "experiments/commands/exit_code.h"
 #include "experiments/commands/interruption.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/corpus/problem_loader.h"
 #include "experiments/provenance.h"
 #include "experiments/reporting/cover_picture.h"
 #include "experiments/tasks/bound_methods.h"
@@ -36,27 +36,6 @@ struct Settings {
   std::string json;
   std::string figure;
 };
-
-CLI::Validator positive_number() {
-  return CLI::Validator(
-      [](std::string& text) {
-        const double number = std::strtod(text.c_str(), nullptr);
-        return number > 0 && std::isfinite(number) ? "" : "must be a positive number";
-      },
-      "POSITIVE");
-}
-
-std::map<std::string, std::string> option_texts(const std::vector<std::string>& assignments) {
-  std::map<std::string, std::string> texts;
-  for (const std::string& assignment : assignments) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) throw InputError("--set \"" + assignment + "\": expected option=value");
-    if (!texts.emplace(assignment.substr(0, equals), assignment.substr(equals + 1)).second) {
-      throw InputError("--set gives the option '" + assignment.substr(0, equals) + "' twice");
-    }
-  }
-  return texts;
-}
 
 /// bernstein where it takes every function, else a bound that takes them all.
 std::string default_method(const Problem& problem) {

@@ -21,6 +21,9 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
+  /// Requests the stop itself.
+  void stop() { source_.request_stop(); }
+
   std::stop_token token() const { return source_.get_token(); }
 
  private:

@@ -16,12 +16,12 @@ namespace {
 struct Shape {
   std::string kind;
   std::size_t variables;  ///< 0: any number
-  std::size_t equations;
+  std::size_t equations;  ///< 0: any number
 };
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
-      {"curve", 2, 1}, {"surface", 3, 1}, {"space_curve", 3, 2}, {"function", 0, 1}};
+      {"curve", 2, 1}, {"surface", 3, 1}, {"space_curve", 3, 2}, {"function", 0, 1}, {"system", 0, 0}};
   return all;
 }
 
@@ -60,15 +60,17 @@ KnownFacts read_known(const YamlNode& problem, std::size_t variables) {
   const auto known = problem.find("known");
   if (!known) return {};
   known->allow_keys({"points", "singular", "real_solutions", "how"});
-  if (const auto count = known->find("real_solutions")) static_cast<void>(count->integer());
-  return {read_points(*known, "points", variables), read_points(*known, "singular", variables),
-          required_text(*known, "how")};
+  KnownFacts facts{read_points(*known, "points", variables), read_points(*known, "singular", variables),
+                   std::nullopt, required_text(*known, "how")};
+  if (const auto count = known->find("real_solutions")) facts.real_solutions = count->integer();
+  return facts;
 }
 
 void check_shape(const YamlNode& file, const Problem& problem) {
   const auto shape = std::ranges::find(shapes(), problem.kind, &Shape::kind);
   const bool variables_fit = shape->variables == 0 || problem.system.variables.size() == shape->variables;
-  if (!variables_fit || problem.system.equations.size() != shape->equations) {
+  const bool equations_fit = shape->equations == 0 || problem.system.equations.size() == shape->equations;
+  if (!variables_fit || !equations_fit) {
     file.at("kind").fail("is " + problem.kind + ", which takes " +
                          (shape->variables == 0 ? "any number of" : std::to_string(shape->variables)) +
                          " variables and " + std::to_string(shape->equations) + " equation(s)");

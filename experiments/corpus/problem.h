@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace gcslab {
 struct KnownFacts {
   std::vector<std::vector<Rational>> points;    ///< rational points of the set, exact
   std::vector<std::vector<Rational>> singular;  ///< rational points where the gradients are dependent
+  std::optional<std::int64_t> real_solutions;   ///< how many, in the box
   std::string how;
 };
 
@@ -38,8 +40,8 @@ struct Problem {
 };
 
 /// Kinds that this reader knows: curve (2 variables, 1 equation), surface (3, 1), space_curve (3, 2),
-/// function (any, 1), and polynomial_family, which has no equation: a task makes a member for the degree and
-/// dimension that it wants.
+/// function (any, 1), system (any, any), and polynomial_family, which has no equation: a task makes a member
+/// for the degree and dimension that it wants.
 const std::vector<std::string>& function_kinds();
 
 /// The value of the key `kind`, for files of every kind.

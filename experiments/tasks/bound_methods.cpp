@@ -1,11 +1,6 @@
 #include "experiments/tasks/bound_methods.h"
 
-#include <algorithm>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "enclosure/bound_registry.h"
-#include "experiments/corpus/corpus.h"
 #include "experiments/corpus/problem.h"
 
 namespace gcslab {
@@ -31,16 +26,6 @@ SetBounds make_bounds(const Problem& problem, const std::string& method, const O
   } catch (const NotApplicable& reason) {
     throw NotApplicable(method + " " + reason.what());
   }
-}
-
-Problem load_problem_of_kind(const std::string& name_or_path, const std::vector<std::string>& kinds) {
-  const std::filesystem::path path = Corpus::standard().problem_path(name_or_path);
-  const std::string kind = kind_of_file(path);
-  if (std::ranges::find(kinds, kind) == kinds.end()) {
-    throw InputError(
-        fmt::format("{}: is of kind '{}'; expected one of {}", path.string(), kind, fmt::join(kinds, ", ")));
-  }
-  return load_problem(path);
 }
 
 }  // namespace gcslab

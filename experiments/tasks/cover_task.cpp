@@ -3,6 +3,7 @@
 #include "covering/cover.h"
 #include "enclosure/bound_registry.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/corpus/problem_loader.h"
 #include "experiments/tasks/bound_methods.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/stopwatch.h"

@@ -8,6 +8,7 @@
 #include "enclosure/bound_registry.h"
 #include "enclosure/scoped_evaluator.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/corpus/problem_loader.h"
 #include "experiments/corpus/random_polynomial.h"
 #include "experiments/tasks/bound_methods.h"
 #include "experiments/tasks/job_result.h"

@@ -6,6 +6,7 @@
 #include "experiments/tasks/cover_task.h"
 #include "experiments/tasks/illustrate_task.h"
 #include "experiments/tasks/range_task.h"
+#include "experiments/tasks/solve_task.h"
 
 namespace gcslab {
 
@@ -13,6 +14,7 @@ namespace gcslab {
 const TaskRegistry& task_registry() {
   static const TaskRegistry registry("task", {
                                                  TaskEntry(std::make_shared<CoverTask>()),
+                                                 TaskEntry(std::make_shared<SolveTask>()),
                                                  TaskEntry(std::make_shared<RangeTask>()),
                                                  TaskEntry(std::make_shared<ConversionTask>()),
                                                  TaskEntry(std::make_shared<IllustrateTask>()),

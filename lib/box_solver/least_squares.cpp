@@ -1,9 +1,25 @@
 #include "box_solver/least_squares.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gcslab {
+namespace {
+
+/// The dot product in four sums, which the processor computes side by side.
+double dot(const double* a, const double* b, std::size_t size) {
+  std::array<double, 4> sums{};
+  std::size_t i = 0;
+  for (; i + 4 <= size; i += 4) {
+    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += a[i + lane] * b[i + lane];
+  }
+  double sum = sums[0] + sums[1] + (sums[2] + sums[3]);
+  for (; i < size; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
 
 void LeastSquaresMultipliers::reset(std::size_t rows, std::size_t columns, std::size_t linear) {
   linear_ = linear;
@@ -31,17 +47,14 @@ bool LeastSquaresMultipliers::factorise() {
   const std::size_t m = f_.rows();
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      const double* a = f_.row(i).data();
-      const double* b = f_.row(j).data();
-      double sum = i == j ? kRegularisation : 0;
-      for (std::size_t c = 0; c < f_.columns(); ++c) sum += a[c] * b[c];
-      for (std::size_t c = 0; c < j; ++c) sum -= gram_(i, c) * gram_(j, c);
-      if (i == j) {
-        if (!(sum > 0) || !std::isfinite(sum)) return false;
-        gram_(i, i) = std::sqrt(sum);
-      } else {
-        gram_(i, j) = sum / gram_(j, j);
+      const double entry = dot(f_.row(i).data(), f_.row(j).data(), f_.columns()) -
+                           dot(gram_.row(i).data(), gram_.row(j).data(), j);
+      if (i != j) {
+        gram_(i, j) = entry / gram_(j, j);
+        continue;
       }
+      if (!(entry + kRegularisation > 0) || !std::isfinite(entry)) return false;
+      gram_(i, i) = std::sqrt(entry + kRegularisation);
     }
   }
   return true;

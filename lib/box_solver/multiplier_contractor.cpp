@@ -9,6 +9,9 @@
 namespace gcslab {
 namespace {
 
+/// The middle of a bounded interval, roughly.
+double middle_of(const Interval& x) { return 0.5 * x.lower + 0.5 * x.upper; }
+
 template <class T>
 class MultiplierContractor final : public Contractor {
  public:
@@ -26,14 +29,20 @@ class MultiplierContractor final : public Contractor {
     trace.add({Argument::expansion});
     scale_box(box);
     for (int pass = 0; pass < options_.passes; ++pass) {
+      bool gained = false;
       for (std::size_t i = 0; i < box.size(); ++i) {
+        const double before = width(box[i]);
         if (!solve_for(i, box, pass == 0, trace)) return false;
+        gained = gained || width(box[i]) < kWorthAnotherPass * before;
       }
+      if (!gained) break;
     }
     return true;
   }
 
  private:
+  static constexpr double kWorthAnotherPass = 0.9;
+
   struct Parts {
     Expansion<T> expansion;
     std::vector<CombinedRow<T>> rows;  ///< one a variable, kept for the second pass
@@ -53,7 +62,7 @@ class MultiplierContractor final : public Contractor {
       const ExpansionRow<T>& row = parts_.expansion.row(k);
       if (!is_bounded(NumberTraits<T>::enclosure(row.constant))) continue;
       for (std::size_t c = 0; c < row.columns.size(); ++c)
-        system_.set(k, row.columns[c], midpoint(NumberTraits<T>::enclosure(row.values[c])));
+        system_.set(k, row.columns[c], middle_of(NumberTraits<T>::enclosure(row.values[c])));
     }
     return system_.solve();
   }

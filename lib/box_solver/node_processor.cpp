@@ -6,6 +6,13 @@
 namespace gcslab {
 namespace {
 
+constexpr int kDoubleBits = 53;
+
+SystemEvaluator<FastInterval> made_in_scope(const SystemFunctions& functions) {
+  const NumberTraits<FastInterval>::Scope scope;
+  return SystemEvaluator<FastInterval>(functions);
+}
+
 bool is_subset(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!subset(a[i], b[i])) return false;
@@ -15,20 +22,38 @@ bool is_subset(const Box& a, const Box& b) {
 
 }  // namespace
 
+PrecisionLevel::PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor,
+                               int bits)
+    : contractor_(make_contractor(functions, bits)) {
+  if (functions.is_square()) certifier_.emplace(functions, bits);
+}
+
+std::optional<CertifiedRoot> PrecisionLevel::certify(const Box& box, std::span<const double> scales) {
+  if (!certifier_) return std::nullopt;
+  ApproximateRoot approximate;
+  std::optional<CertifiedRoot> root = certifier_->certify_box(box, approximate);
+  if (root) certifier_->enlarge_uniqueness(*root, approximate, box, scales);
+  return root;
+}
+
 NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search_box,
-                             std::unique_ptr<Contractor> contractor, const SearchOptions& options)
+                             const ContractorMaker& make_contractor, const SearchOptions& options)
     : functions_(&functions),
+      make_contractor_(&make_contractor),
       options_(&options),
-      contractor_(std::move(contractor)),
-      bisection_(bisection_registry().at(options.bisection).make(functions)) {
+      contractor_(make_contractor(functions, kDoubleBits)),
+      bisection_(bisection_registry().at(options.bisection).make(functions)),
+      evaluator_(made_in_scope(functions)) {
   for (const Interval& side : search_box) {
     const double size = is_bounded(side) ? magnitude(side) : 1;
     scales_.push_back(is_bounded(side) && width(side) > 0 ? radius(side) : 1);
+    const bool is_cover = functions.equations().size() < functions.variables();
+    least_width_.push_back(is_cover && is_bounded(side) ? options.cover_resolution * width(side) : 0);
     least_magnitude_.push_back(1e-3 * std::min(size, 1.0));
   }
   if (functions.is_square()) {
     newton_.emplace(functions, scales_);
-    certifier_.emplace(functions, 53);
+    certifier_.emplace(functions, kDoubleBits);
   }
 }
 
@@ -43,12 +68,55 @@ NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<Exc
   }
   if (is_excluded(outcome, exclusions)) return outcome;
   find_root(outcome);
+  if (!outcome.found && !escalate(outcome)) {
+    outcome.kind = NodeOutcome::Kind::empty;
+    return outcome;
+  }
   if (outcome.found && is_subset(outcome.box, outcome.found->uniqueness_box)) {
     outcome.kind = NodeOutcome::Kind::covered;
     return outcome;
   }
   cut_or_keep(node, outcome);
   return outcome;
+}
+
+/// True when the values of some equation at the midpoint are known no better than its range over the box, so
+/// that no contraction in double precision can succeed.
+bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
+  constexpr double kSmall = 1e-3;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!(width(box[i]) <= kSmall * scales_[i])) return false;
+  }
+  const NumberTraits<FastInterval>::Scope scope;
+  std::vector<FastInterval> whole, middle;
+  for (const Interval& side : box) {
+    whole.emplace_back(side);
+    middle.emplace_back(midpoint(side));
+  }
+  const std::size_t equations = functions_->equations().size();
+  std::vector<FastInterval> ranges(equations), values(equations);
+  evaluator_.values(whole, ranges);
+  evaluator_.values(middle, values);
+  for (std::size_t k = 0; k < equations; ++k) {
+    const Interval range = ranges[k].interval();
+    if (is_bounded(range) && width(values[k].interval()) > 0.1 * width(range) && width(range) > 0)
+      return true;
+  }
+  return false;
+}
+
+bool NodeProcessor::escalate(NodeOutcome& outcome) {
+  if (options_->maximum_bits <= kDoubleBits || !is_hidden_by_rounding(outcome.box)) return true;
+  int bits = 2 * 64;
+  for (std::size_t level = 0; bits <= options_->maximum_bits; ++level, bits *= 2) {
+    if (levels_.size() <= level)
+      levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, bits));
+    const Box before = outcome.box;
+    if (!levels_[level]->contractor().contract(outcome.box, outcome.trace)) return false;
+    outcome.found = levels_[level]->certify(outcome.box, scales_);
+    if (outcome.found || largest_gain(before, outcome.box) > 0.1) break;
+  }
+  return true;
 }
 
 bool NodeProcessor::is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const {
@@ -72,6 +140,7 @@ void NodeProcessor::find_root(NodeOutcome& outcome) {
 bool NodeProcessor::is_open(std::size_t variable, const Interval& side) const {
   double point = 0;
   if (!cut_point(side, point)) return false;
+  if (width(side) <= least_width_[variable]) return false;
   const double size = std::max(magnitude(side), least_magnitude_[variable]);
   return std::isinf(size) || width(side) > options_->resolution * size;
 }

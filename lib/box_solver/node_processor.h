@@ -9,6 +9,7 @@
 #include "box_solver/search.h"
 #include "certification/krawczyk_certifier.h"
 #include "interval/fast_interval.h"
+#include "interval/mpfr_interval.h"
 
 namespace gcslab {
 
@@ -17,6 +18,7 @@ struct SearchNode {
   std::uint64_t id = 0;
   Box box;
   std::size_t last_variable = 0;
+  double share = 0;    ///< of the whole search
   double measure = 0;  ///< best-first: larger is taken first
 };
 
@@ -42,28 +44,49 @@ struct NodeOutcome {
   ProofTrace trace;
 };
 
+/// Contraction and certification in more than double precision, for boxes in which double precision sees only
+/// rounding errors.
+class PrecisionLevel {
+ public:
+  PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor, int bits);
+
+  Contractor& contractor() { return *contractor_; }
+  std::optional<CertifiedRoot> certify(const Box& box, std::span<const double> scales);
+
+ private:
+  std::unique_ptr<Contractor> contractor_;
+  std::optional<KrawczykCertifier<MpfrInterval>> certifier_;
+};
+
 class NodeProcessor {
  public:
   NodeProcessor(const SystemFunctions& functions, const Box& search_box,
-                std::unique_ptr<Contractor> contractor, const SearchOptions& options);
+                const ContractorMaker& make_contractor, const SearchOptions& options);
 
   NodeOutcome process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions);
 
  private:
   bool is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const;
   void find_root(NodeOutcome& outcome);
+  /// Works on a box at higher precisions while rounding errors hide what is in it. False: it has no solution.
+  bool escalate(NodeOutcome& outcome);
+  bool is_hidden_by_rounding(const Box& box);
   void cut_or_keep(const SearchNode& node, NodeOutcome& outcome);
   std::optional<Cut> cut_at_uniqueness_box(const Box& box, const Box& uniqueness) const;
   bool is_open(std::size_t variable, const Interval& side) const;
 
   const SystemFunctions* functions_;
+  const ContractorMaker* make_contractor_;
   const SearchOptions* options_;
   std::vector<double> scales_;           ///< of the variables: the radii of the search box
+  std::vector<double> least_width_;      ///< narrower sides of a cover are not cut
   std::vector<double> least_magnitude_;  ///< of a variable, for its resolution
   std::unique_ptr<Contractor> contractor_;
   std::unique_ptr<Bisection> bisection_;
   std::optional<NewtonIteration> newton_;  ///< square systems
   std::optional<KrawczykCertifier<FastInterval>> certifier_;
+  SystemEvaluator<FastInterval> evaluator_;
+  std::vector<std::unique_ptr<PrecisionLevel>> levels_;  ///< made when first needed
 };
 
 }  // namespace gcslab

@@ -1,8 +1,6 @@
 #include "box_solver/search.h"
 
 #include <algorithm>
-#include <deque>
-#include <optional>
 
 #include "box_solver/inequality_check.h"
 #include "box_solver/node_processor.h"
@@ -47,14 +45,17 @@ class Search {
         options_(options),
         inequalities_(functions),
         pool_(options.threads, [&] {
-          return std::make_unique<NodeProcessor>(functions, search_box, make_contractor(functions), options);
+          return std::make_unique<NodeProcessor>(functions, search_box, make_contractor, options);
         }) {}
 
-  SearchResult run(std::vector<Box> boxes, const std::stop_token& stop, SearchObserver* observer) {
+  SearchResult run(SearchStart start, const std::stop_token& stop, SearchObserver* observer) {
     if (options_.proof != nullptr) options_.proof->begin(search_box_);
-    for (auto box = boxes.rbegin(); box != boxes.rend(); ++box) {
+    for (const CertifiedRoot& root : start.roots) enter_root(root);
+    result_.undecided = std::move(start.undecided);
+    const double share = 1.0 / static_cast<double>(start.boxes.size());
+    for (auto box = start.boxes.rbegin(); box != start.boxes.rend(); ++box) {
       if (options_.proof != nullptr) options_.proof->start(next_id_, *box);
-      push({next_id_++, std::move(*box), 0, 0});
+      push({.id = next_id_++, .box = std::move(*box), .share = share});
     }
     while (!open_.empty() && !stop.stop_requested() && within_budget()) {
       take_batch();
@@ -68,6 +69,7 @@ class Search {
     }
     for (SearchNode& node : open_) keep_pending(node);
     if (options_.proof != nullptr) options_.proof->finish();
+    result_.roots = std::move(roots_);
     return std::move(result_);
   }
 
@@ -109,6 +111,11 @@ class Search {
     ++result_.statistics.boxes;
     const bool is_settled = !outcome.found || take_root(outcome);
     if (options_.proof != nullptr) options_.proof->node(node.id, outcome.trace);
+    if (outcome.kind == NodeOutcome::Kind::cut) {
+      cut(outcome, node.share / 2);
+      return;
+    }
+    result_.statistics.explored += node.share;
     switch (outcome.kind) {
       case NodeOutcome::Kind::covered:
         if (is_settled) {
@@ -124,8 +131,6 @@ class Search {
         keep_undecided(outcome, "as narrow as the resolution, with nothing proved");
         return;
       case NodeOutcome::Kind::cut:
-        cut(outcome);
-        return;
       case NodeOutcome::Kind::skipped:
         return;
     }
@@ -144,12 +149,12 @@ class Search {
     result_.pending.push_back(std::move(node.box));
   }
 
-  void cut(const NodeOutcome& outcome) {
+  void cut(const NodeOutcome& outcome, double share) {
     ++result_.statistics.bisections;
     const auto [variable, point] = outcome.cut;
     if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
-    SearchNode lower{next_id_++, outcome.box, variable, 0};
-    SearchNode upper{next_id_++, outcome.box, variable, 0};
+    SearchNode lower{next_id_++, outcome.box, variable, share};
+    SearchNode upper{next_id_++, outcome.box, variable, share};
     lower.box[variable].upper = point;
     upper.box[variable].lower = point;
     push(std::move(upper));
@@ -171,11 +176,15 @@ class Search {
       if (meet(root.box, roots_[k].box)) return false;
     }
     outcome.root = roots_.size();
-    roots_.push_back(root);
-    exclude(root.uniqueness_box, outcome.root, root);
-    if (!meet(root.box, search_box_)) return true;
-    if (const auto state = inequalities_.at(root.box)) result_.solutions.push_back({root, *state});
+    enter_root(root);
     return true;
+  }
+
+  void enter_root(const CertifiedRoot& root) {
+    exclude(root.uniqueness_box, roots_.size(), root);
+    roots_.push_back(root);
+    if (!meet(root.box, search_box_)) return;
+    if (const auto state = inequalities_.at(root.box)) result_.solutions.push_back({root, *state});
   }
 
   void exclude(const Box& box, std::size_t number, const CertifiedRoot& root) {
@@ -199,10 +208,10 @@ class Search {
 
 }  // namespace
 
-SearchResult search(const SystemFunctions& functions, const Box& search_box, std::vector<Box> boxes,
+SearchResult search(const SystemFunctions& functions, const Box& search_box, SearchStart start,
                     const ContractorMaker& make_contractor, const SearchOptions& options,
                     const std::stop_token& stop, SearchObserver* observer) {
-  return Search(functions, search_box, make_contractor, options).run(std::move(boxes), stop, observer);
+  return Search(functions, search_box, make_contractor, options).run(std::move(start), stop, observer);
 }
 
 }  // namespace gcslab

@@ -26,7 +26,10 @@ enum class Order { depth_first, best_first };
 struct SearchOptions {
   std::string bisection = "relative_smear_sum";
   Order order = Order::depth_first;
-  double resolution = 1e-13;  ///< sides narrower than this part of their magnitude are not cut
+  double resolution = 1e-13;           ///< sides narrower than this part of their magnitude are not cut
+  double cover_resolution = 1.0 / 64;  ///< the same for systems with fewer equations than variables, as part
+                                       ///< of the search box: their solution set is covered
+  int maximum_bits = 1024;             ///< precision goes up to this where double cannot decide
   std::uint64_t maximum_boxes = ~std::uint64_t{0};
   std::size_t maximum_open = 2'000'000;  ///< boxes held in memory
   int threads = 1;
@@ -49,18 +52,20 @@ struct UndecidedBox {
 struct SearchStatistics {
   std::uint64_t boxes = 0;  ///< taken from the list
   std::uint64_t bisections = 0;
+  double explored = 0;  ///< part of the search that is settled, each cut counted as two halves
 };
 
 struct SearchResult {
-  std::vector<Solution> solutions;
+  std::vector<CertifiedRoot> roots;     ///< all that were proved, in the search box or near it
+  std::vector<Solution> solutions;      ///< those of them that are solutions
   std::vector<UndecidedBox> undecided;  ///< searched down to the resolution
   std::vector<Box> pending;             ///< not searched when the budget ended
   SearchStatistics statistics;
-  bool is_proved = true;  ///< false when a baseline took part
 };
 
-/// Makes the contractor of one thread.
-using ContractorMaker = std::function<std::unique_ptr<Contractor>(const SystemFunctions&)>;
+/// Makes the contractor of one thread: in the arithmetic of the method for 53 bits, else in MPFR intervals of
+/// that many.
+using ContractorMaker = std::function<std::unique_ptr<Contractor>(const SystemFunctions&, int bits)>;
 
 /// Sees the search as it goes on.
 class SearchObserver {
@@ -69,9 +74,16 @@ class SearchObserver {
   virtual void batch_done(const SearchStatistics&, std::size_t /*open*/, std::size_t /*solutions*/) {}
 };
 
+/// What a search starts from: at first the search box, later what an interrupted one left.
+struct SearchStart {
+  std::vector<Box> boxes;
+  std::vector<CertifiedRoot> roots{};
+  std::vector<UndecidedBox> undecided{};
+};
+
 /// Searches the boxes, which together are the search box or what is left of it. `search_box` says which roots
 /// are solutions: those whose box meets it.
-SearchResult search(const SystemFunctions& functions, const Box& search_box, std::vector<Box> boxes,
+SearchResult search(const SystemFunctions& functions, const Box& search_box, SearchStart start,
                     const ContractorMaker& make_contractor, const SearchOptions& options,
                     const std::stop_token& stop = {}, SearchObserver* observer = nullptr);
 

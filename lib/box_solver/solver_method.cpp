@@ -21,6 +21,11 @@ std::vector<OptionSpec> SolverMethod::options() const {
                   "", 0.1, 0, 1),
       real_option("resolution", "a side narrower than this part of its magnitude is not cut", "", 1e-13,
                   1e-16, 1),
+      real_option("cover_resolution",
+                  "the same where equations are fewer than variables, as part of the search box", "",
+                  1.0 / 64, 1e-12, 1),
+      integer_option("maximum_bits", "precision goes up to this where double cannot decide; 53: never",
+                     "bits", 1024, 53, 100'000),
       integer_option("maximum_boxes", "work budget", "boxes", 1'000'000'000, 1, 1'000'000'000'000),
   };
 }
@@ -46,8 +51,13 @@ ContractorMaker contractor_maker(const Options& options) {
   settings.bits = static_cast<int>(options.integer("bits"));
   settings.propagation_ratio = options.real("propagation_ratio");
   settings.fixpoint_ratio = options.real("fixpoint_ratio");
-  return [settings, composition = options.word("contractor")](const SystemFunctions& functions) {
-    return make_contractor(composition, functions, settings);
+  return [settings, composition = options.word("contractor")](const SystemFunctions& functions, int bits) {
+    ContractorSettings wanted = settings;
+    if (bits > 53) {
+      wanted.arithmetic = Arithmetic::mpfr;
+      wanted.bits = bits;
+    }
+    return make_contractor(composition, functions, wanted);
   };
 }
 
@@ -56,6 +66,8 @@ SearchOptions search_options(const Options& options) {
   result.bisection = options.word("bisection");
   result.order = options.word("order") == "best_first" ? Order::best_first : Order::depth_first;
   result.resolution = options.real("resolution");
+  result.cover_resolution = options.real("cover_resolution");
+  result.maximum_bits = static_cast<int>(options.integer("maximum_bits"));
   result.maximum_boxes = static_cast<std::uint64_t>(options.integer("maximum_boxes"));
   return result;
 }

@@ -109,6 +109,14 @@ double KrawczykCertifier<T>::contraction_norm(const Box& candidate, const Box& r
   return norm;
 }
 
+/// The root in k, the image of x that lies in its interior.
+template <class T>
+std::optional<CertifiedRoot> KrawczykCertifier<T>::settled(const Box& x, const Box& k,
+                                                           const ApproximateRoot& approximate) {
+  if (!(contraction_norm(x, k, approximate.inverse) < 1)) return std::nullopt;
+  return CertifiedRoot{k, x, {{"krawczyk", Claim::unique, x, bits_}}};
+}
+
 template <class T>
 std::optional<CertifiedRoot> KrawczykCertifier<T>::certify(const ApproximateRoot& approximate) {
   const typename NumberTraits<T>::Scope scope(bits_);
@@ -121,16 +129,43 @@ std::optional<CertifiedRoot> KrawczykCertifier<T>::certify(const ApproximateRoot
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const std::optional<Box> k = image(x, approximate);
     if (!k) return std::nullopt;
-    if (is_interior(*k, x)) {
-      CertifiedRoot root{*k, x, {{"krawczyk", Claim::unique, x, bits_}}};
-      if (!(contraction_norm(x, *k, approximate.inverse) < 1)) return std::nullopt;
-      return root;
-    }
+    if (is_interior(*k, x)) return settled(x, *k, approximate);
     const Box around = hull_of(x, *k);
     for (std::size_t i = 0; i < n; ++i) {
       const double grow = 0.5 * width(around[i]) + 1e-15 * magnitude(around[i]) + 1e-290;
       x[i] = Interval(around[i].lower - grow, around[i].upper + grow);
     }
+  }
+  return std::nullopt;
+}
+
+template <class T>
+std::optional<CertifiedRoot> KrawczykCertifier<T>::certify_box(const Box& box, ApproximateRoot& approximate) {
+  const typename NumberTraits<T>::Scope scope(bits_);
+  constexpr int kAttempts = 3;
+  Box x = box;
+  approximate.point.clear();
+  for (const Interval& side : box) approximate.point.push_back(midpoint(side));
+  std::vector<T> centre;
+  for (const double c : approximate.point) centre.push_back(number<T>(c));
+  if (!evaluator_.jacobian(centre, slopes_)) return std::nullopt;
+  Matrix<double> middle(slopes_.rows(), slopes_.columns());
+  for (std::size_t i = 0; i < slopes_.rows(); ++i) {
+    for (std::size_t j = 0; j < slopes_.columns(); ++j)
+      middle(i, j) = midpoint(NumberTraits<T>::enclosure(slopes_(i, j)));
+  }
+  std::optional<Matrix<double>> inverse = approximate_inverse(middle);
+  if (!inverse) return std::nullopt;
+  approximate.inverse = std::move(*inverse);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    for (Interval& side : x) {
+      const double grow = 0.3 * width(side) + 1e-16 * magnitude(side);
+      side = Interval(side.lower - grow, side.upper + grow);
+    }
+    const std::optional<Box> k = image(x, approximate);
+    if (!k) return std::nullopt;
+    if (is_interior(*k, x)) return settled(x, *k, approximate);
+    x = hull_of(x, *k);
   }
   return std::nullopt;
 }

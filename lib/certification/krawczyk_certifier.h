@@ -28,6 +28,10 @@ class KrawczykCertifier {
   /// Tries to prove that a small box around the approximate root contains exactly one root.
   std::optional<CertifiedRoot> certify(const ApproximateRoot& approximate);
 
+  /// Tries to prove that the box, a little inflated, contains exactly one root; `approximate` is then where
+  /// the proof was centred. For boxes so small that Newton's iteration in double sees only rounding errors.
+  std::optional<CertifiedRoot> certify_box(const Box& box, ApproximateRoot& approximate);
+
   /// Makes the uniqueness box of a certified root as large as it finds proof for. `wanted` is the box that it
   /// ought to cover; `scales` are the sizes of the variables, which give the shape beyond that.
   void enlarge_uniqueness(CertifiedRoot& root, const ApproximateRoot& approximate, const Box& wanted,
@@ -42,6 +46,7 @@ class KrawczykCertifier {
   std::vector<T> numbers(const Box& box) const;
   /// K(X) as a box; nothing when f may be undefined on X.
   std::optional<Box> image(const Box& x, const ApproximateRoot& approximate);
+  std::optional<CertifiedRoot> settled(const Box& x, const Box& k, const ApproximateRoot& approximate);
   /// I - C S for the slopes in slopes_.
   void compute_residual(const Matrix<double>& inverse);
 

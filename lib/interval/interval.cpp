@@ -30,27 +30,8 @@ std::string shortest(double value) {
 
 }  // namespace
 
-bool is_empty(const Interval& x) { return !(x.lower <= x.upper); }
-bool is_entire(const Interval& x) { return x.lower == -kInfinity && x.upper == kInfinity; }
-bool is_bounded(const Interval& x) {
-  return !is_empty(x) && std::isfinite(x.lower) && std::isfinite(x.upper);
-}
-bool is_singleton(const Interval& x) { return x.lower == x.upper; }
-
-bool contains(const Interval& x, double member) {
-  return std::isfinite(member) && x.lower <= member && member <= x.upper;
-}
-
-bool subset(const Interval& x, const Interval& y) {
-  return is_empty(x) || (y.lower <= x.lower && x.upper <= y.upper);
-}
-
 bool interior(const Interval& x, const Interval& y) {
   return is_empty(x) || (inside_below(y.lower, x.lower) && inside_below(x.upper, y.upper));
-}
-
-bool disjoint(const Interval& x, const Interval& y) {
-  return is_empty(x) || is_empty(y) || x.upper < y.lower || y.upper < x.lower;
 }
 
 bool less(const Interval& x, const Interval& y) {
@@ -71,15 +52,6 @@ bool strictly_precedes(const Interval& x, const Interval& y) {
   return is_empty(x) || is_empty(y) || x.upper < y.lower;
 }
 
-Interval intersection(const Interval& x, const Interval& y) {
-  if (disjoint(x, y)) return Interval::empty();
-  return {std::max(x.lower, y.lower), std::min(x.upper, y.upper)};
-}
-
-Interval hull(const Interval& x, const Interval& y) {
-  return {std::min(x.lower, y.lower), std::max(x.upper, y.upper)};
-}
-
 double midpoint(const Interval& x) {
   if (is_empty(x)) return kNaN;
   if (is_entire(x)) return 0;
@@ -97,10 +69,6 @@ double radius(const Interval& x) {
   if (is_empty(x)) return kNaN;
   const double centre = midpoint(x);
   return std::max(difference_up(x.upper, centre), difference_up(centre, x.lower));
-}
-
-double magnitude(const Interval& x) {
-  return is_empty(x) ? kNaN : std::max(std::fabs(x.lower), std::fabs(x.upper));
 }
 
 double mignitude(const Interval& x) {

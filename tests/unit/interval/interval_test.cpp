@@ -43,7 +43,8 @@ const std::vector<Interval>& sample_intervals() {
 /// samples.
 std::vector<double> members(const Interval& x, double bound) {
   std::vector<double> result;
-  for (double member = -bound; member <= bound; member += 0.5) {
+  for (int halves = -static_cast<int>(2 * bound); halves <= static_cast<int>(2 * bound); ++halves) {
+    const double member = 0.5 * halves;
     if (x.lower <= member && member <= x.upper) result.push_back(member);
   }
   return result;

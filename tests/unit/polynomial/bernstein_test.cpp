@@ -35,7 +35,8 @@ Polynomial folium() {
 TEST(Bernstein, CoefficientsOfTheFolium) {
   const Exact tensor = exact(folium(), unit_box(2));
   for (int i = 0; i <= 3; ++i) {
-    for (int j = 0; j <= 3; ++j) EXPECT_EQ(tensor.at({i, j}), (i == 3) + (j == 3) - fraction(i * j, 3));
+    for (int j = 0; j <= 3; ++j)
+      EXPECT_EQ(tensor.at({i, j}), (i == 3) + (j == 3) - fraction(static_cast<long>(i) * j, 3));
   }
 }
 

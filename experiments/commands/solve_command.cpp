@@ -1,0 +1,203 @@
+#include "experiments/commands/solve_command.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fstream>
+#include <memory>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
+#include "experiments/commands/command_options.h"
+#include "experiments/commands/exit_code.h"
+#include "experiments/commands/interruption.h"
+#include "experiments/commands/search_progress.h"
+#include "experiments/corpus/corpus.h"
+#include "experiments/corpus/problem_loader.h"
+#include "experiments/provenance.h"
+#include "experiments/solving/result_json.h"
+#include "experiments/solving/solve_run.h"
+#include "experiments/tasks/memory_use.h"
+#include "experiments/tasks/stopwatch.h"
+
+namespace gcslab {
+namespace {
+
+struct Settings {
+  std::string problem;
+  std::string method = "adaptive";
+  std::vector<std::string> options;
+  std::string box;
+  double timeout_s = 0;
+  double memory_mb = 0;
+  int threads = 1;
+  std::uint64_t seed = 1;
+  int precision = 53;
+  std::string json;
+  std::string proof;
+  std::string pending;
+  std::string resume;
+};
+
+Json method_json(const Settings& settings, const Options& options) {
+  Json values = Json::object();
+  for (const auto& [name, value] : options.values()) values[name] = to_string(value);
+  return {{"name", settings.method},
+          {"options", values},
+          {"version", solver_method_registry().at(settings.method).version}};
+}
+
+/// The result of the contract.
+Json result_json(const Settings& settings, const SystemFunctions& functions, const Options& options,
+                 const SolveOutcome& outcome, const Json& statistics) {
+  Json result = {{"problem", settings.problem},
+                 {"method", method_json(settings, options)},
+                 {"status", std::string(name_of(outcome.status))},
+                 {"completeness", outcome.completeness},
+                 {"variables", functions.system().variables},
+                 {"search_box", box_to_json(functions.system().box)},
+                 {"solutions", solutions_json(functions, outcome.search, settings.precision)},
+                 {"undecided", undecided_json(outcome.search)},
+                 {"statistics", statistics},
+                 {"provenance", provenance(settings.seed, utc_now())}};
+  seal(result);
+  return result;
+}
+
+Json statistics_json(const SearchStatistics& counts, const Stopwatch& watch) {
+  return {{"wall_s", watch.wall_s()},
+          {"cpu_s", watch.cpu_s()},
+          {"peak_rss_mb", peak_rss_mb()},
+          {"boxes", counts.boxes},
+          {"bisections", counts.bisections}};
+}
+
+void print_solutions(const SystemFunctions& functions, const Json& result) {
+  const auto& names = functions.system().variables;
+  for (const Json& solution : result["solutions"]) {
+    const bool has_digits = solution.contains("decimal");
+    std::string line;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string value = has_digits ? solution["decimal"][i].get<std::string>()
+                                           : fmt::format("{:.17g}", solution["point"][i].get<double>());
+      line += fmt::format("{}{} = {}", i == 0 ? "" : ", ", names[i], value);
+    }
+    fmt::print("  {}\n", line);
+  }
+}
+
+void print_summary(const Settings& settings, const SystemFunctions& functions, const Json& result) {
+  constexpr std::size_t kListed = 100;
+  const Json& statistics = result["statistics"];
+  const std::size_t solutions = result["solutions"].size();
+  const std::size_t undecided = result["undecided"].size();
+  fmt::print("{} by {}: {} solution{}, {} undecided box{}, {}, completeness {} ({} boxes, {:.3g} s)\n",
+             settings.problem, settings.method, solutions, solutions == 1 ? "" : "s", undecided,
+             undecided == 1 ? "" : "es", result["status"].get<std::string>(),
+             result["completeness"].get<std::string>(), statistics["boxes"].get<std::uint64_t>(),
+             statistics["wall_s"].get<double>());
+  if (solutions <= kListed) print_solutions(functions, result);
+  if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);
+  if (undecided > 0)
+    fmt::print("  undecided, for example: {}\n", result["undecided"][0]["reason"].get<std::string>());
+}
+
+/// Where the proof goes; nowhere when nobody asked.
+class ProofFile {
+ public:
+  explicit ProofFile(const std::string& path) {
+    if (path.empty()) return;
+    stream_.open(path, std::ios::binary);
+    if (!stream_) throw InputError(path + ": cannot be written");
+    log_.emplace(stream_);
+  }
+  ProofLog* log() { return log_ ? &*log_ : nullptr; }
+  void close(const std::string& path) {
+    if (!log_) return;
+    stream_.close();
+    if (!stream_) throw InputError(path + ": cannot be written to its end (is the disk full?)");
+  }
+
+ private:
+  std::ofstream stream_;
+  std::optional<ProofLog> log_;
+};
+
+void check_outputs(const Settings& settings) {
+  for (const std::string& path : {settings.json, settings.proof, settings.pending}) {
+    if (!path.empty() && path != "-") check_writable(path);
+  }
+}
+
+int run(Settings settings) {
+  Problem problem = load_system(settings.problem);
+  if (!settings.box.empty())
+    problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
+  const SolverMethod& method = solver_method_registry().at(settings.method);
+  SolveSettings solve{settings.method,
+                      Options(method.options(), option_texts(settings.options), settings.method)};
+  solve.threads = settings.threads;
+  check_outputs(settings);
+  const std::string hash = problem_content_hash(Corpus::standard().problem_path(settings.problem));
+  const SystemFunctions functions(problem.system);
+  std::optional<SearchStart> start;
+  if (!settings.resume.empty()) start = read_pending(settings.resume, hash, problem.system.box);
+  ProofFile proof(settings.proof);
+  solve.proof = proof.log();
+  Interruption interruption(settings.timeout_s);
+  SearchProgress progress(isatty(STDERR_FILENO) != 0, settings.memory_mb, interruption);
+  const Stopwatch watch;
+  const SolveOutcome outcome = solve_system(functions, solve, start, interruption.token(), &progress);
+  progress.finish();
+  const Json statistics = statistics_json(outcome.search.statistics, watch);
+  proof.close(settings.proof);
+  const Json result = result_json(settings, functions, solve.options, outcome, statistics);
+  if (!settings.pending.empty()) write_pending(settings.pending, hash, problem.system.box, outcome.search);
+  if (settings.json == "-") {
+    fmt::print("{}\n", result.dump(1));
+  } else {
+    if (!settings.json.empty()) write_file_atomically(settings.json, result.dump(1) + "\n");
+    print_summary(settings, functions, result);
+  }
+  return exit_code_of(outcome.status);
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, int& exit_code) {
+  auto settings = std::make_shared<Settings>();
+  CLI::App* command =
+      app.add_subcommand("solve", "Find every real solution of a system in its box, with proof");
+  command
+      ->add_option("problem", settings->problem,
+                   "a problem file, or a name that `gcslab list problems` prints")
+      ->required();
+  command->add_option("--method", settings->method, "see gcslab list methods")->capture_default_str();
+  command->add_option("--set", settings->options, "option=value of the method; see gcslab describe METHOD");
+  command->add_option("--box", settings->box, "another box, such as \"x=[-3,3],y=[0,1]\"");
+  command
+      ->add_option("--timeout", settings->timeout_s,
+                   "stop after this many seconds; what is left is undecided")
+      ->check(positive_number());
+  command->add_option("--memory", settings->memory_mb, "stop when more than this many MB are used")
+      ->check(positive_number());
+  command
+      ->add_option("--threads", settings->threads,
+                   "threads of the search; the answer does not depend on them")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--seed", settings->seed, "seed of methods that draw random numbers")
+      ->capture_default_str();
+  command->add_option("--precision", settings->precision, "bits to which each solution is refined")
+      ->check(CLI::Range(53, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--json", settings->json, "write the result here; - is standard output");
+  command->add_option(
+      "--proof", settings->proof,
+      "write the whole search here, so that `gcslab verify` can prove that nothing is missing");
+  command->add_option("--pending", settings->pending,
+                      "write what is left when the budget ends, for --resume");
+  command->add_option("--resume", settings->resume, "go on from a file that --pending wrote");
+  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+}
+
+}  // namespace gcslab
