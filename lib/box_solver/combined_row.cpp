@@ -84,10 +84,8 @@ T CombinedRow<T>::range_of_column(std::size_t column, std::span<const T> z, std:
   return product;
 }
 
-/// With the combination written as rest + a z_i + q z_i^2, where rest has no z_i: z_i lies in
-/// -(rest + q z_i^2) / a and in -rest / (a + q z_i).
 template <class T>
-T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z) const {
+typename CombinedRow<T>::Solvable CombinedRow<T>::gathered(std::size_t variable, std::span<const T> z) const {
   T rest = constant_;
   T a = values_[variable];
   for (std::size_t j = 0; j < square_columns_.size(); ++j) {
@@ -124,10 +122,31 @@ T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z) const {
     }
   }
   const std::uint32_t square = square_columns_[variable];
-  if (square == kNone || is_zero(values_[square])) return reverse_multiply<T>(-rest, a, z[variable]);
-  const T& q = values_[square];
-  const T solved = reverse_multiply<T>(-(rest + q * sqr(z[variable])), a, z[variable]);
-  return reverse_multiply<T>(-rest, a + q * z[variable], solved);
+  return {rest, a, square == kNone || is_zero(values_[square]) ? nullptr : &values_[square]};
+}
+
+/// z_i lies in -(rest + q z_i^2) / a and in -rest / (a + q z_i).
+template <class T>
+T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z) const {
+  const auto [rest, a, q] = gathered(variable, z);
+  if (q == nullptr) return reverse_multiply<T>(-rest, a, z[variable]);
+  const T solved = reverse_multiply<T>(-(rest + *q * sqr(z[variable])), a, z[variable]);
+  return reverse_multiply<T>(-rest, a + *q * z[variable], solved);
+}
+
+/// z_i^2 lies in -(rest + a z_i) / q.
+template <class T>
+T CombinedRow<T>::solve_square(std::size_t variable, std::span<const T> z) const {
+  const auto [rest, a, q] = gathered(variable, z);
+  if (q == nullptr) return z[variable];
+  const T square = reverse_multiply<T>(-(rest + a * z[variable]), *q, sqr(z[variable]));
+  return reverse_sqr<T>(square, z[variable]);
+}
+
+template <class T>
+std::optional<std::size_t> CombinedRow<T>::square_column(std::size_t variable) const {
+  if (square_columns_[variable] == kNone) return std::nullopt;
+  return square_columns_[variable];
 }
 
 template class CombinedRow<FastInterval>;

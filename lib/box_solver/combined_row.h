@@ -2,6 +2,7 @@
 
 // A linear combination of the rows of an expansion, solved for one variable.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,10 @@ class CombinedRow {
 
   /// Encloses {z_i : z in the box `z`, the combination is 0 at z}.
   T solve(std::size_t variable, std::span<const T> z) const;
+  /// The same, for a combination in which the square of z_i dominates.
+  T solve_square(std::size_t variable, std::span<const T> z) const;
+  /// The column of z_i^2, if there is one.
+  std::optional<std::size_t> square_column(std::size_t variable) const;
 
  private:
   /// A column of degree >= 2, as `solve` takes it.
@@ -40,6 +45,13 @@ class CombinedRow {
     std::uint32_t first, second;  ///< the variables of z_first z_second
   };
 
+  /// The combination as rest + a z_i + q z_i^2, where rest has no z_i.
+  struct Solvable {
+    T rest;
+    T a;
+    const T* q;  ///< null: none
+  };
+  Solvable gathered(std::size_t variable, std::span<const T> z) const;
   T range_of_column(std::size_t column, std::span<const T> z, std::size_t but_one_of) const;
 
   const ExpansionPlan* plan_;

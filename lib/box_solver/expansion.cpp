@@ -1,7 +1,7 @@
 #include "box_solver/expansion.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 
 #include "base/check.h"
 #include "interval/arithmetic.h"
@@ -47,21 +47,23 @@ ExpansionPlan::ExpansionPlan(const SystemFunctions& functions) : functions_(&fun
     Exponents exponents(functions.variables(), 0);
     exponents[i] = 1;
     columns_.push_back(monomial_of(exponents));
-    column_products_.push_back(product_of(exponents));
   }
+  std::vector<Entries> rows;
+  std::map<Exponents, int> uses;
   for (const SystemFunction& equation : functions.equations()) {
+    rows.emplace_back();
+    if (!equation.polynomial || expansion_terms(*equation.polynomial) > kMaximumTerms) continue;
+    rows.back() = expanded(*equation.polynomial);
+    for (const auto& [exponents, contributions] : rows.back()) ++uses[exponents];
+  }
+  for (const Entries& entries : rows) {
     rows_.emplace_back();
-    if (equation.polynomial && expansion_terms(*equation.polynomial) <= kMaximumTerms)
-      add_row(*equation.polynomial);
+    add_row(entries, uses);
   }
 }
 
-void ExpansionPlan::add_row(const Polynomial& polynomial) {
-  struct Contribution {
-    Rational coefficient;
-    Exponents midpoint_powers;
-  };
-  std::map<Exponents, std::vector<Contribution>> entries;
+ExpansionPlan::Entries ExpansionPlan::expanded(const Polynomial& polynomial) {
+  Entries entries;
   for (const auto& [exponents, coefficient] : polynomial.terms()) {
     Exponents taken(exponents.size(), 0);
     do {
@@ -73,10 +75,17 @@ void ExpansionPlan::add_row(const Polynomial& polynomial) {
       entries[taken].push_back(std::move(part));
     } while (next_index(taken, exponents));
   }
+  return entries;
+}
+
+void ExpansionPlan::add_row(const Entries& entries, const std::map<Exponents, int>& uses) {
   for (const auto& [exponents, contributions] : entries) {
     const ScaledMonomial monomial = monomial_of(exponents);
-    Entry entry{monomial.factors.empty() ? kConstant : column_of(monomial),
+    const int degree = std::accumulate(exponents.begin(), exponents.end(), 0);
+    Entry entry{kConstant, product_of(exponents),
+                std::ranges::all_of(exponents, [](int e) { return e % 2 == 0; }),
                 static_cast<std::uint32_t>(terms_.size()), 0};
+    if (degree > 0) entry.column = degree > 2 && uses.at(exponents) == 1 ? kRemainder : column_of(monomial);
     for (const Contribution& part : contributions) {
       terms_.push_back({static_cast<std::uint32_t>(coefficients_.size()), product_of(part.midpoint_powers)});
       coefficients_.push_back(part.coefficient);
@@ -90,10 +99,7 @@ void ExpansionPlan::add_row(const Polynomial& polynomial) {
 std::uint32_t ExpansionPlan::column_of(const ScaledMonomial& monomial) {
   const auto found = std::ranges::find(columns_, monomial);
   if (found != columns_.end()) return static_cast<std::uint32_t>(found - columns_.begin());
-  Exponents exponents(functions_->variables(), 0);
-  for (const auto& [variable, power] : monomial.factors) exponents[variable] = power;
   columns_.push_back(monomial);
-  column_products_.push_back(product_of(exponents));
   return static_cast<std::uint32_t>(columns_.size() - 1);
 }
 
@@ -124,7 +130,7 @@ Expansion<T>::Expansion(const ExpansionPlan& plan)
   for (const SystemFunction& equation : plan.functions().equations()) evaluators_.emplace_back(equation.tape);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     for (const auto& entry : plan.rows_[k].entries) {
-      if (entry.column != ExpansionPlan::kConstant) rows_[k].columns.push_back(entry.column);
+      if (entry.column < ExpansionPlan::kRemainder) rows_[k].columns.push_back(entry.column);
     }
     if (plan.is_expanded(k)) continue;
     for (const std::size_t i : plan.functions().equations()[k].variables)
@@ -170,18 +176,25 @@ void Expansion<T>::expand_polynomial(std::size_t equation) {
   ExpansionRow<T>& row = rows_[equation];
   row.constant = NumberTraits<T>::from_interval(Interval(0));
   T* value = row.values.data();
-  for (const auto& [column, first, end] : plan_->rows_[equation].entries) {
+  const T unit = NumberTraits<T>::from_interval(Interval(-1, 1));
+  const T half_unit = NumberTraits<T>::from_interval(Interval(0, 1));
+  for (const auto& entry : plan_->rows_[equation].entries) {
     const auto term = [&](std::uint32_t t) {
       const auto& [coefficient, product] = plan_->terms_[t];
       return product == 0 ? coefficients_[coefficient]
                           : coefficients_[coefficient] * midpoint_products_[product];
     };
-    T sum = term(first);
-    for (std::uint32_t t = first + 1; t < end; ++t) sum = sum + term(t);
-    if (column == ExpansionPlan::kConstant) {
-      row.constant = sum;
+    T sum = term(entry.first_term);
+    for (std::uint32_t t = entry.first_term + 1; t < entry.end_term; ++t) sum = sum + term(t);
+    if (entry.column == ExpansionPlan::kConstant) {
+      row.constant = row.constant + sum;
+      continue;
+    }
+    sum = sum * radius_products_[entry.radius_product];
+    if (entry.column == ExpansionPlan::kRemainder) {
+      row.constant = row.constant + sum * (entry.is_square ? half_unit : unit);
     } else {
-      *value++ = sum * radius_products_[plan_->column_products_[column]];
+      *value++ = sum;
     }
   }
 }

@@ -6,12 +6,14 @@
 // Promise: wherever z stands for a point of the box at which all equations are defined, equation k equals
 // constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within the
 // interval coefficients. Columns 0 .. n-1 are the z_i themselves. A polynomial equation gets the columns of
-// all monomials of its Taylor expansion, with coefficients as thin as rounding allows; any other equation,
-// and a polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in
-// the linear columns alone. An equation that may be undefined in the box gets an empty row with an unbounded
-// constant.
+// all monomials of its Taylor expansion, with coefficients as thin as rounding allows, except that a monomial
+// of degree 3 or more that occurs in one equation alone, so that no combination can cancel it, is bounded and
+// added to the constant. Any other equation, and a polynomial with too many monomials, gets its mean value
+// form: f(m) and its slopes over the box, in the linear columns alone. An equation that may be undefined in
+// the box gets an empty row with an unbounded constant.
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -65,7 +67,9 @@ class ExpansionPlan {
     std::uint32_t product;  ///< of midpoints
   };
   struct Entry {
-    std::uint32_t column;  ///< kConstant for the constant
+    std::uint32_t column;          ///< kConstant for the constant, kRemainder for what is bounded
+    std::uint32_t radius_product;  ///< of radii
+    bool is_square;                ///< the monomial is nowhere negative
     std::uint32_t first_term;
     std::uint32_t end_term;
   };
@@ -73,15 +77,23 @@ class ExpansionPlan {
     std::vector<Entry> entries;
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
+  static constexpr std::uint32_t kRemainder = kConstant - 1;
 
-  void add_row(const Polynomial& polynomial);
+  /// Coefficients of the expansion as polynomials in the midpoints: monomials of z with the terms of each.
+  struct Contribution {
+    Rational coefficient;
+    Exponents midpoint_powers;
+  };
+  using Entries = std::map<Exponents, std::vector<Contribution>>;
+
+  static Entries expanded(const Polynomial& polynomial);
+  void add_row(const Entries& entries, const std::map<Exponents, int>& uses);
   std::uint32_t column_of(const ScaledMonomial& monomial);
   std::uint32_t product_of(const Exponents& exponents);
 
   const SystemFunctions* functions_;
   std::vector<ScaledMonomial> columns_;
-  std::vector<std::uint32_t> column_products_;  ///< of radii, one a column
-  std::vector<Product> products_;               ///< after their parents; number 0 is the empty product
+  std::vector<Product> products_;  ///< after their parents; number 0 is the empty product
   std::vector<Rational> coefficients_;
   std::vector<Term> terms_;
   std::vector<Row> rows_;

@@ -60,24 +60,23 @@ bool LeastSquaresMultipliers::factorise() {
   return true;
 }
 
+bool LeastSquaresMultipliers::solve_for(std::size_t column, std::span<double> x) const {
+  const std::size_t m = f_.rows();
+  for (std::size_t k = 0; k < m; ++k)
+    x[k] = (f_(k, column) - dot(gram_.row(k).data(), x.data(), k)) / gram_(k, k);
+  for (std::size_t k = m; k-- > 0;) {
+    x[k] /= gram_(k, k);
+    for (std::size_t j = 0; j < k; ++j) x[j] -= gram_(k, j) * x[k];
+  }
+  for (std::size_t k = 0; k < m; ++k) x[k] *= scales_[k];
+  return std::ranges::all_of(x, [](double v) { return std::isfinite(v); });
+}
+
 bool LeastSquaresMultipliers::solve() {
   scale_rows();
   if (!factorise()) return false;
-  const std::size_t m = f_.rows();
   for (std::size_t i = 0; i < linear_; ++i) {
-    const std::span<double> x = multipliers_.row(i);
-    for (std::size_t k = 0; k < m; ++k) {
-      double sum = f_(k, i);
-      for (std::size_t j = 0; j < k; ++j) sum -= gram_(k, j) * x[j];
-      x[k] = sum / gram_(k, k);
-    }
-    for (std::size_t k = m; k-- > 0;) {
-      double sum = x[k];
-      for (std::size_t j = k + 1; j < m; ++j) sum -= gram_(j, k) * x[j];
-      x[k] = sum / gram_(k, k);
-    }
-    for (std::size_t k = 0; k < m; ++k) x[k] *= scales_[k];
-    if (!std::ranges::all_of(x, [](double v) { return std::isfinite(v); })) return false;
+    if (!solve_for(i, multipliers_.row(i))) return false;
   }
   return true;
 }

@@ -35,7 +35,7 @@ class MultiplierContractor final : public Contractor {
         if (!solve_for(i, box, pass == 0, trace)) return false;
         gained = gained || width(box[i]) < kWorthAnotherPass * before;
       }
-      if (!gained) break;
+      if (!gained) return pass > 0 || solve_squares(box, trace);
     }
     return true;
   }
@@ -84,10 +84,33 @@ class MultiplierContractor final : public Contractor {
 
   bool solve_for(std::size_t i, Box& box, bool first_pass, ProofTrace& trace) {
     CombinedRow<T>& row = parts_.rows[i];
-    if (first_pass) {
-      row.combine(parts_.expansion, system_.multipliers(i));
+    const std::span<const double> multipliers = system_.multipliers(i);
+    if (first_pass) row.combine(parts_.expansion, multipliers);
+    return take_over(i, row.solve(i, z_), {Argument::expansion_row, multipliers}, box, trace);
+  }
+
+  /// Where the linear parts determine nothing, as around a tangency, combinations in which a square
+  /// dominates.
+  bool solve_squares(Box& box, ProofTrace& trace) {
+    square_multipliers_.resize(plan_.functions().equations().size());
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      CombinedRow<T>& row = parts_.rows[i];
+      const auto column = row.square_column(i);
+      if (!column || !system_.solve_for(*column, square_multipliers_)) continue;
+      row.combine(parts_.expansion, square_multipliers_);
+      if (!take_over(i, row.solve_square(i, z_), {Argument::square_row, square_multipliers_}, box, trace))
+        return false;
     }
-    const T solved = row.solve(i, z_);
+    return true;
+  }
+
+  struct Reason {
+    Argument argument;
+    std::span<const double> multipliers;
+  };
+
+  /// Takes a new range of z_i over into the box. False when nothing is left.
+  bool take_over(std::size_t i, const T& solved, const Reason& reason, Box& box, ProofTrace& trace) {
     const Interval reduced = NumberTraits<T>::enclosure(solved);
     if (reduced == NumberTraits<T>::enclosure(z_[i])) return true;
     Interval side = Interval::empty();
@@ -97,18 +120,17 @@ class MultiplierContractor final : public Contractor {
       side = intersection(box[i], NumberTraits<T>::enclosure(x));
     }
     if (side == box[i]) return true;
-    tell(i, side, trace);
+    tell(i, side, reason, trace);
     if (is_empty(side)) return false;
     box[i] = side;
     z_[i] = scaled_side(i, side);
     return true;
   }
 
-  void tell(std::size_t i, const Interval& side, ProofTrace& trace) const {
+  static void tell(std::size_t i, const Interval& side, const Reason& reason, ProofTrace& trace) {
     if (!trace.wanted()) return;
-    const std::span<const double> multipliers = system_.multipliers(i);
-    trace.add({Argument::expansion_row, 0, static_cast<std::uint32_t>(i), side,
-               std::vector<double>(multipliers.begin(), multipliers.end())});
+    trace.add({reason.argument, 0, static_cast<std::uint32_t>(i), side,
+               std::vector<double>(reason.multipliers.begin(), reason.multipliers.end())});
   }
 
   MultiplierOptions options_;
@@ -116,6 +138,7 @@ class MultiplierContractor final : public Contractor {
   Parts parts_;
   LeastSquaresMultipliers system_;
   std::vector<T> z_;
+  std::vector<double> square_multipliers_;
 };
 
 }  // namespace

@@ -23,16 +23,16 @@ bool is_subset(const Box& a, const Box& b) {
 }  // namespace
 
 PrecisionLevel::PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor,
-                               int bits)
+                               const std::vector<double>& scales, int bits)
     : contractor_(make_contractor(functions, bits)) {
-  if (functions.is_square()) certifier_.emplace(functions, bits);
+  if (functions.is_square()) certifier_.emplace(functions, scales, bits);
 }
 
-std::optional<CertifiedRoot> PrecisionLevel::certify(const Box& box, std::span<const double> scales) {
+std::optional<CertifiedRoot> PrecisionLevel::certify(const Box& box) {
   if (!certifier_) return std::nullopt;
   ApproximateRoot approximate;
   std::optional<CertifiedRoot> root = certifier_->certify_box(box, approximate);
-  if (root) certifier_->enlarge_uniqueness(*root, approximate, box, scales);
+  if (root) certifier_->enlarge_uniqueness(*root, approximate, box);
   return root;
 }
 
@@ -43,17 +43,18 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
       options_(&options),
       contractor_(make_contractor(functions, kDoubleBits)),
       bisection_(bisection_registry().at(options.bisection).make(functions)),
-      evaluator_(made_in_scope(functions)) {
+      evaluator_(made_in_scope(functions)),
+      jacobian_(functions.equations().size(), functions.variables()) {
   for (const Interval& side : search_box) {
     const double size = is_bounded(side) ? magnitude(side) : 1;
     scales_.push_back(is_bounded(side) && width(side) > 0 ? radius(side) : 1);
-    const bool is_cover = functions.equations().size() < functions.variables();
+    const bool is_cover = functions.constraints() < functions.variables();
     least_width_.push_back(is_cover && is_bounded(side) ? options.cover_resolution * width(side) : 0);
     least_magnitude_.push_back(1e-3 * std::min(size, 1.0));
   }
   if (functions.is_square()) {
     newton_.emplace(functions, scales_);
-    certifier_.emplace(functions, kDoubleBits);
+    certifier_.emplace(functions, scales_, kDoubleBits);
   }
 }
 
@@ -76,14 +77,16 @@ NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<Exc
     outcome.kind = NodeOutcome::Kind::covered;
     return outcome;
   }
+  if (outcome.stuck > 0) outcome.stuck += node.stuck;
   cut_or_keep(node, outcome);
   return outcome;
 }
 
-/// True when the values of some equation at the midpoint are known no better than its range over the box, so
-/// that no contraction in double precision can succeed.
+/// True when the error of some equation's value at the midpoint is comparable to what the equation varies by
+/// over the box, so that no contraction in double precision can succeed.
 bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
   constexpr double kSmall = 1e-3;
+  constexpr double kPart = 0.1;
   for (std::size_t i = 0; i < box.size(); ++i) {
     if (!(width(box[i]) <= kSmall * scales_[i])) return false;
   }
@@ -94,13 +97,14 @@ bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
     middle.emplace_back(midpoint(side));
   }
   const std::size_t equations = functions_->equations().size();
-  std::vector<FastInterval> ranges(equations), values(equations);
-  evaluator_.values(whole, ranges);
+  std::vector<FastInterval> values(equations);
   evaluator_.values(middle, values);
+  if (!evaluator_.jacobian(whole, jacobian_)) return false;
   for (std::size_t k = 0; k < equations; ++k) {
-    const Interval range = ranges[k].interval();
-    if (is_bounded(range) && width(values[k].interval()) > 0.1 * width(range) && width(range) > 0)
-      return true;
+    double variation = 0;
+    for (std::size_t i = 0; i < box.size(); ++i)
+      variation += magnitude(jacobian_(k, i).interval()) * radius(box[i]);
+    if (width(values[k].interval()) > kPart * variation && variation > 0) return true;
   }
   return false;
 }
@@ -110,12 +114,13 @@ bool NodeProcessor::escalate(NodeOutcome& outcome) {
   int bits = 2 * 64;
   for (std::size_t level = 0; bits <= options_->maximum_bits; ++level, bits *= 2) {
     if (levels_.size() <= level)
-      levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, bits));
+      levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, scales_, bits));
     const Box before = outcome.box;
     if (!levels_[level]->contractor().contract(outcome.box, outcome.trace)) return false;
-    outcome.found = levels_[level]->certify(outcome.box, scales_);
-    if (outcome.found || largest_gain(before, outcome.box) > 0.1) break;
+    outcome.found = levels_[level]->certify(outcome.box);
+    if (outcome.found || largest_gain(before, outcome.box) > 0.1) return true;
   }
+  ++outcome.stuck;
   return true;
 }
 
@@ -134,7 +139,7 @@ void NodeProcessor::find_root(NodeOutcome& outcome) {
   const std::optional<ApproximateRoot> approximate = newton_->run(outcome.box);
   if (!approximate) return;
   outcome.found = certifier_->certify(*approximate);
-  if (outcome.found) certifier_->enlarge_uniqueness(*outcome.found, *approximate, outcome.box, scales_);
+  if (outcome.found) certifier_->enlarge_uniqueness(*outcome.found, *approximate, outcome.box);
 }
 
 bool NodeProcessor::is_open(std::size_t variable, const Interval& side) const {
@@ -146,7 +151,13 @@ bool NodeProcessor::is_open(std::size_t variable, const Interval& side) const {
 }
 
 void NodeProcessor::cut_or_keep(const SearchNode& node, NodeOutcome& outcome) {
+  constexpr int kMaximumStuck = 6;
   outcome.kind = NodeOutcome::Kind::cut;
+  if (outcome.stuck > kMaximumStuck) {
+    outcome.kind = NodeOutcome::Kind::undecided;
+    outcome.reason = "no precision up to maximum_bits decides: perhaps a multiple root";
+    return;
+  }
   if (outcome.found) {
     if (const auto cut = cut_at_uniqueness_box(outcome.box, outcome.found->uniqueness_box)) {
       outcome.cut = *cut;
@@ -159,6 +170,9 @@ void NodeProcessor::cut_or_keep(const SearchNode& node, NodeOutcome& outcome) {
   }
   if (open.empty()) {
     outcome.kind = NodeOutcome::Kind::undecided;
+    outcome.reason = functions_->constraints() < functions_->variables()
+                         ? "meets the set of solutions, as far as is known"
+                         : "as narrow as the resolution, with nothing proved";
     return;
   }
   outcome.cut.variable = bisection_->choose(outcome.box, open, {node.box, node.last_variable});

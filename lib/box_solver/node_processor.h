@@ -19,6 +19,7 @@ struct SearchNode {
   Box box;
   std::size_t last_variable = 0;
   double share = 0;    ///< of the whole search
+  int stuck = 0;       ///< how many of the last cuts on the way here gained nothing at the highest precision
   double measure = 0;  ///< best-first: larger is taken first
 };
 
@@ -41,6 +42,8 @@ struct NodeOutcome {
   std::optional<CertifiedRoot> found;  ///< a root proved here, in the box or near it
   std::size_t root = 0;                ///< covered: the number of the root, when `found` is empty
   Cut cut{};
+  int stuck = 0;       ///< of the two parts
+  std::string reason;  ///< undecided: why
   ProofTrace trace;
 };
 
@@ -48,10 +51,11 @@ struct NodeOutcome {
 /// rounding errors.
 class PrecisionLevel {
  public:
-  PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor, int bits);
+  PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor,
+                 const std::vector<double>& scales, int bits);
 
   Contractor& contractor() { return *contractor_; }
-  std::optional<CertifiedRoot> certify(const Box& box, std::span<const double> scales);
+  std::optional<CertifiedRoot> certify(const Box& box);
 
  private:
   std::unique_ptr<Contractor> contractor_;
@@ -86,6 +90,7 @@ class NodeProcessor {
   std::optional<NewtonIteration> newton_;  ///< square systems
   std::optional<KrawczykCertifier<FastInterval>> certifier_;
   SystemEvaluator<FastInterval> evaluator_;
+  Matrix<FastInterval> jacobian_;
   std::vector<std::unique_ptr<PrecisionLevel>> levels_;  ///< made when first needed
 };
 

@@ -18,6 +18,8 @@ std::string_view word_of(Argument argument) {
       return "expansion";
     case Argument::expansion_row:
       return "expansion_row";
+    case Argument::square_row:
+      return "square_row";
     case Argument::mean_value_row:
       break;
   }

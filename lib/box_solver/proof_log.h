@@ -12,6 +12,7 @@
 //     hull_inequality K V LO HI
 //     expansion                      expansions are about the midpoint of the box as it is now
 //     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
+//     square_row V LO HI C ...       the same, solved for the square of z_V
 //     mean_value_row V LO HI C ...
 //                                    "empty" in place of LO HI: no root in the box
 //   and how it ended:

@@ -19,6 +19,7 @@ enum class Argument : std::uint8_t {
   hull_of_inequality,  ///< the same through inequality `function` <= 0
   expansion,           ///< from here on, expansions are about the midpoint of the box as it is now
   expansion_row,       ///< the expansion of sum multipliers[k] f_k, solved for the variable
+  square_row,          ///< the expansion of sum multipliers[k] f_k, solved for the square of the variable
   mean_value_row,      ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
 };
 

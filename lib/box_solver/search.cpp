@@ -128,7 +128,7 @@ class Search {
         if (options_.proof != nullptr) options_.proof->end_empty();
         return;
       case NodeOutcome::Kind::undecided:
-        keep_undecided(outcome, "as narrow as the resolution, with nothing proved");
+        keep_undecided(outcome, outcome.reason);
         return;
       case NodeOutcome::Kind::cut:
       case NodeOutcome::Kind::skipped:
@@ -153,8 +153,8 @@ class Search {
     ++result_.statistics.bisections;
     const auto [variable, point] = outcome.cut;
     if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
-    SearchNode lower{next_id_++, outcome.box, variable, share};
-    SearchNode upper{next_id_++, outcome.box, variable, share};
+    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.stuck};
+    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.stuck};
     lower.box[variable].upper = point;
     upper.box[variable].lower = point;
     push(std::move(upper));

@@ -39,8 +39,9 @@ bool is_bounded_box(const Box& box) { return std::ranges::all_of(box, is_bounded
 }  // namespace
 
 template <class T>
-KrawczykCertifier<T>::KrawczykCertifier(const SystemFunctions& functions, int bits)
-    : functions_(&functions), bits_(bits), evaluator_(made<T>(functions, bits)) {
+KrawczykCertifier<T>::KrawczykCertifier(const SystemFunctions& functions, std::vector<double> scales,
+                                        int bits)
+    : functions_(&functions), scales_(std::move(scales)), bits_(bits), evaluator_(made<T>(functions, bits)) {
   const typename NumberTraits<T>::Scope scope(bits);
   const std::size_t n = functions.variables();
   slopes_ = Matrix<T>(n, n, number<T>(0));
@@ -53,6 +54,13 @@ std::vector<T> KrawczykCertifier<T>::numbers(const Box& box) const {
   result.reserve(box.size());
   for (const Interval& side : box) result.push_back(NumberTraits<T>::from_interval(side));
   return result;
+}
+
+template <class T>
+Interval KrawczykCertifier<T>::inflated(std::size_t variable, const Interval& side, double part) const {
+  const double size = std::max(magnitude(side), 1e-3 * scales_[variable]);
+  const double grow = part * width(side) + 1e-15 * size;
+  return {side.lower - grow, side.upper + grow};
 }
 
 template <class T>
@@ -132,8 +140,7 @@ std::optional<CertifiedRoot> KrawczykCertifier<T>::certify(const ApproximateRoot
     if (is_interior(*k, x)) return settled(x, *k, approximate);
     const Box around = hull_of(x, *k);
     for (std::size_t i = 0; i < n; ++i) {
-      const double grow = 0.5 * width(around[i]) + 1e-15 * magnitude(around[i]) + 1e-290;
-      x[i] = Interval(around[i].lower - grow, around[i].upper + grow);
+      x[i] = inflated(i, around[i], 0.5);
     }
   }
   return std::nullopt;
@@ -158,10 +165,7 @@ std::optional<CertifiedRoot> KrawczykCertifier<T>::certify_box(const Box& box, A
   if (!inverse) return std::nullopt;
   approximate.inverse = std::move(*inverse);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    for (Interval& side : x) {
-      const double grow = 0.3 * width(side) + 1e-16 * magnitude(side);
-      side = Interval(side.lower - grow, side.upper + grow);
-    }
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = inflated(i, x[i], 0.3);
     const std::optional<Box> k = image(x, approximate);
     if (!k) return std::nullopt;
     if (is_interior(*k, x)) return settled(x, *k, approximate);
@@ -174,15 +178,15 @@ std::optional<CertifiedRoot> KrawczykCertifier<T>::certify_box(const Box& box, A
 /// shapes are tried: the sizes of the variables, and what the box wanted has beside that.
 template <class T>
 void KrawczykCertifier<T>::enlarge_uniqueness(CertifiedRoot& root, const ApproximateRoot& approximate,
-                                              const Box& wanted, std::span<const double> scales) {
+                                              const Box& wanted) {
   constexpr int kAttempts = 8;
   constexpr double kAimed = 0.95;
   const Box first = root.uniqueness_box;
   Box& best = root.uniqueness_box;
   const auto cube = [&](double size) {
     Box box;
-    for (std::size_t i = 0; i < scales.size(); ++i)
-      box.emplace_back(root.box[i].lower - size * scales[i], root.box[i].upper + size * scales[i]);
+    for (std::size_t i = 0; i < scales_.size(); ++i)
+      box.emplace_back(root.box[i].lower - size * scales_[i], root.box[i].upper + size * scales_[i]);
     return hull_of(box, first);
   };
   double size = 1;

@@ -22,8 +22,8 @@ namespace gcslab {
 template <class T>
 class KrawczykCertifier {
  public:
-  /// For square systems. `functions` must outlive it.
-  KrawczykCertifier(const SystemFunctions& functions, int bits);
+  /// For square systems. `functions` must outlive it. `scales` are the sizes of the variables.
+  KrawczykCertifier(const SystemFunctions& functions, std::vector<double> scales, int bits);
 
   /// Tries to prove that a small box around the approximate root contains exactly one root.
   std::optional<CertifiedRoot> certify(const ApproximateRoot& approximate);
@@ -33,9 +33,8 @@ class KrawczykCertifier {
   std::optional<CertifiedRoot> certify_box(const Box& box, ApproximateRoot& approximate);
 
   /// Makes the uniqueness box of a certified root as large as it finds proof for. `wanted` is the box that it
-  /// ought to cover; `scales` are the sizes of the variables, which give the shape beyond that.
-  void enlarge_uniqueness(CertifiedRoot& root, const ApproximateRoot& approximate, const Box& wanted,
-                          std::span<const double> scales);
+  /// ought to cover; the scales give the shape beyond that.
+  void enlarge_uniqueness(CertifiedRoot& root, const ApproximateRoot& approximate, const Box& wanted);
 
   /// An upper bound of ||I - C S(candidate, root)|| in the maximum norm weighted by the candidate's sides:
   /// below 1, `candidate` holds no root beside the one in `root`, which it must contain. Infinite when the
@@ -50,7 +49,11 @@ class KrawczykCertifier {
   /// I - C S for the slopes in slopes_.
   void compute_residual(const Matrix<double>& inverse);
 
+  /// The side with a part of its width and of its variable's size added at both ends.
+  Interval inflated(std::size_t variable, const Interval& side, double part) const;
+
   const SystemFunctions* functions_;
+  std::vector<double> scales_;
   int bits_;
   SystemEvaluator<T> evaluator_;
   Matrix<T> slopes_;

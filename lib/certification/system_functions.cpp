@@ -41,6 +41,12 @@ SystemFunctions::SystemFunctions(EquationSystem system) : system_(std::move(syst
   for (const Expression& e : system_.inequalities) inequalities_.push_back(compiled(e, variables()));
 }
 
+std::size_t SystemFunctions::constraints() const {
+  return static_cast<std::size_t>(std::ranges::count_if(equations_, [](const SystemFunction& equation) {
+    return !equation.polynomial || !equation.polynomial->is_zero();
+  }));
+}
+
 template <class T>
 SystemEvaluator<T>::SystemEvaluator(const SystemFunctions& functions)
     : functions_(&functions),

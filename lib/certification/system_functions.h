@@ -36,6 +36,8 @@ class SystemFunctions {
   const EquationSystem& system() const { return system_; }
   const std::vector<SystemFunction>& equations() const { return equations_; }        ///< each is to vanish
   const std::vector<SystemFunction>& inequalities() const { return inequalities_; }  ///< each is to be <= 0
+  /// How many equations there are that are not 0 = 0.
+  std::size_t constraints() const;
   bool is_square() const { return equations_.size() == variables(); }
 
  private:
