@@ -75,17 +75,18 @@ void CombinedRow<T>::combine(const Expansion<T>& expansion, std::span<const doub
 
 /// The range of a monomial over z, with one power of a variable left out.
 template <class T>
-T CombinedRow<T>::range_of_column(std::size_t column, std::span<const T> z, std::size_t but_one_of) const {
+T CombinedRow<T>::range_without_one(std::size_t column, std::span<const T> z, std::size_t without) const {
   T product = number<T>(1);
   for (const auto& [variable, power] : plan_->columns()[column].factors) {
-    const int left = power - (variable == but_one_of ? 1 : 0);
-    if (left > 0) product = product * pow(z[variable], left);
+    const int left = power - (variable == without ? 1 : 0);
+    if (left > 0) product = product * (left == 1 ? z[variable] : pow(z[variable], left));
   }
   return product;
 }
 
 template <class T>
-typename CombinedRow<T>::Solvable CombinedRow<T>::gathered(std::size_t variable, std::span<const T> z) const {
+typename CombinedRow<T>::Solvable CombinedRow<T>::gathered(std::size_t variable, std::span<const T> z,
+                                                           const Expansion<T>& expansion) const {
   T rest = constant_;
   T a = values_[variable];
   for (std::size_t j = 0; j < square_columns_.size(); ++j) {
@@ -109,16 +110,15 @@ typename CombinedRow<T>::Solvable CombinedRow<T>::gathered(std::size_t variable,
       rest = rest + value * (z[first] * z[second]);
     }
   }
-  constexpr std::size_t kNobody = ~std::size_t{0};
   for (const std::uint32_t column : higher_) {
     const T& value = values_[column];
     if (is_zero(value)) continue;
     const auto& factors = plan_->columns()[column].factors;
     const bool occurs = std::ranges::any_of(factors, [&](const auto& f) { return f.variable == variable; });
     if (occurs) {
-      a = a + value * range_of_column(column, z, variable);
+      a = a + value * range_without_one(column, z, variable);
     } else {
-      rest = rest + value * range_of_column(column, z, kNobody);
+      rest = rest + value * expansion.column_range(column);
     }
   }
   const std::uint32_t square = square_columns_[variable];
@@ -127,8 +127,8 @@ typename CombinedRow<T>::Solvable CombinedRow<T>::gathered(std::size_t variable,
 
 /// z_i lies in -(rest + q z_i^2) / a and in -rest / (a + q z_i).
 template <class T>
-T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z) const {
-  const auto [rest, a, q] = gathered(variable, z);
+T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const {
+  const auto [rest, a, q] = gathered(variable, z, expansion);
   if (q == nullptr) return reverse_multiply<T>(-rest, a, z[variable]);
   const T solved = reverse_multiply<T>(-(rest + *q * sqr(z[variable])), a, z[variable]);
   return reverse_multiply<T>(-rest, a + *q * z[variable], solved);
@@ -136,8 +136,9 @@ T CombinedRow<T>::solve(std::size_t variable, std::span<const T> z) const {
 
 /// z_i^2 lies in -(rest + a z_i) / q.
 template <class T>
-T CombinedRow<T>::solve_square(std::size_t variable, std::span<const T> z) const {
-  const auto [rest, a, q] = gathered(variable, z);
+T CombinedRow<T>::solve_square(std::size_t variable, std::span<const T> z,
+                               const Expansion<T>& expansion) const {
+  const auto [rest, a, q] = gathered(variable, z, expansion);
   if (q == nullptr) return z[variable];
   const T square = reverse_multiply<T>(-(rest + a * z[variable]), *q, sqr(z[variable]));
   return reverse_sqr<T>(square, z[variable]);

@@ -31,10 +31,11 @@ class CombinedRow {
   /// Sums the rows of the expansion. Multipliers are finite; those that are 0 leave their row out.
   void combine(const Expansion<T>& expansion, std::span<const double> multipliers);
 
-  /// Encloses {z_i : z in the box `z`, the combination is 0 at z}.
-  T solve(std::size_t variable, std::span<const T> z) const;
+  /// Encloses {z_i : z in the box `z`, the combination is 0 at z}. The expansion's bound_columns was last
+  /// called with a box that contains `z`.
+  T solve(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const;
   /// The same, for a combination in which the square of z_i dominates.
-  T solve_square(std::size_t variable, std::span<const T> z) const;
+  T solve_square(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const;
   /// The column of z_i^2, if there is one.
   std::optional<std::size_t> square_column(std::size_t variable) const;
 
@@ -51,8 +52,8 @@ class CombinedRow {
     T a;
     const T* q;  ///< null: none
   };
-  Solvable gathered(std::size_t variable, std::span<const T> z) const;
-  T range_of_column(std::size_t column, std::span<const T> z, std::size_t but_one_of) const;
+  Solvable gathered(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const;
+  T range_without_one(std::size_t column, std::span<const T> z, std::size_t variable) const;
 
   const ExpansionPlan* plan_;
   std::vector<std::uint32_t> square_columns_;  ///< of each variable; kNone without one

@@ -1,7 +1,6 @@
 #include "box_solver/expansion.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/check.h"
 #include "interval/arithmetic.h"
@@ -46,19 +45,12 @@ ExpansionPlan::ExpansionPlan(const SystemFunctions& functions) : functions_(&fun
   for (std::size_t i = 0; i < functions.variables(); ++i) {
     Exponents exponents(functions.variables(), 0);
     exponents[i] = 1;
-    columns_.push_back(monomial_of(exponents));
+    static_cast<void>(column_of(exponents));
   }
-  std::vector<Entries> rows;
-  std::map<Exponents, int> uses;
   for (const SystemFunction& equation : functions.equations()) {
-    rows.emplace_back();
-    if (!equation.polynomial || expansion_terms(*equation.polynomial) > kMaximumTerms) continue;
-    rows.back() = expanded(*equation.polynomial);
-    for (const auto& [exponents, contributions] : rows.back()) ++uses[exponents];
-  }
-  for (const Entries& entries : rows) {
     rows_.emplace_back();
-    add_row(entries, uses);
+    if (equation.polynomial && expansion_terms(*equation.polynomial) <= kMaximumTerms)
+      add_row(expanded(*equation.polynomial));
   }
 }
 
@@ -78,14 +70,11 @@ ExpansionPlan::Entries ExpansionPlan::expanded(const Polynomial& polynomial) {
   return entries;
 }
 
-void ExpansionPlan::add_row(const Entries& entries, const std::map<Exponents, int>& uses) {
+void ExpansionPlan::add_row(const Entries& entries) {
   for (const auto& [exponents, contributions] : entries) {
-    const ScaledMonomial monomial = monomial_of(exponents);
-    const int degree = std::accumulate(exponents.begin(), exponents.end(), 0);
-    Entry entry{kConstant, product_of(exponents),
-                std::ranges::all_of(exponents, [](int e) { return e % 2 == 0; }),
+    const bool is_constant = std::ranges::all_of(exponents, [](int e) { return e == 0; });
+    Entry entry{is_constant ? kConstant : column_of(exponents), product_of(exponents),
                 static_cast<std::uint32_t>(terms_.size()), 0};
-    if (degree > 0) entry.column = degree > 2 && uses.at(exponents) == 1 ? kRemainder : column_of(monomial);
     for (const Contribution& part : contributions) {
       terms_.push_back({static_cast<std::uint32_t>(coefficients_.size()), product_of(part.midpoint_powers)});
       coefficients_.push_back(part.coefficient);
@@ -96,26 +85,24 @@ void ExpansionPlan::add_row(const Entries& entries, const std::map<Exponents, in
   std::ranges::sort(rows_.back().entries, {}, &Entry::column);
 }
 
-std::uint32_t ExpansionPlan::column_of(const ScaledMonomial& monomial) {
-  const auto found = std::ranges::find(columns_, monomial);
-  if (found != columns_.end()) return static_cast<std::uint32_t>(found - columns_.begin());
-  columns_.push_back(monomial);
+std::uint32_t ExpansionPlan::column_of(const Exponents& exponents) {
+  const std::uint32_t product = product_of(exponents);
+  const auto found = std::ranges::find(column_products_, product);
+  if (found != column_products_.end()) return static_cast<std::uint32_t>(found - column_products_.begin());
+  columns_.push_back(monomial_of(exponents));
+  column_products_.push_back(product);
   return static_cast<std::uint32_t>(columns_.size() - 1);
 }
 
 std::uint32_t ExpansionPlan::product_of(const Exponents& exponents) {
   std::uint32_t product = 0;
   for (std::size_t i = 0; i < exponents.size(); ++i) {
-    for (int e = 0; e < exponents[i]; ++e) {
-      const auto variable = static_cast<std::uint32_t>(i);
-      std::size_t place = 1;
-      while (place < products_.size() &&
-             (products_[place].parent != product || products_[place].variable != variable)) {
-        ++place;
-      }
-      if (place == products_.size()) products_.push_back({product, variable});
-      product = static_cast<std::uint32_t>(place);
-    }
+    if (exponents[i] == 0) continue;
+    const Product wanted{product, static_cast<std::uint32_t>(i), exponents[i]};
+    const auto [place, is_new] =
+        product_numbers_.try_emplace(wanted, static_cast<std::uint32_t>(products_.size()));
+    if (is_new) products_.push_back(wanted);
+    product = place->second;
   }
   return product;
 }
@@ -130,7 +117,7 @@ Expansion<T>::Expansion(const ExpansionPlan& plan)
   for (const SystemFunction& equation : plan.functions().equations()) evaluators_.emplace_back(equation.tape);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     for (const auto& entry : plan.rows_[k].entries) {
-      if (entry.column < ExpansionPlan::kRemainder) rows_[k].columns.push_back(entry.column);
+      if (entry.column != ExpansionPlan::kConstant) rows_[k].columns.push_back(entry.column);
     }
     if (plan.is_expanded(k)) continue;
     for (const std::size_t i : plan.functions().equations()[k].variables)
@@ -143,14 +130,16 @@ template <class T>
 void Expansion<T>::expand(const Box& box) {
   box_.clear();
   centre_.clear();
+  radius_box_.clear();
   for (std::size_t i = 0; i < box.size(); ++i) {
     midpoints_[i] = midpoint(box[i]);
     radii_[i] = radius(box[i]);
     box_.push_back(NumberTraits<T>::from_interval(box[i]));
     centre_.push_back(NumberTraits<T>::from_interval(Interval(midpoints_[i])));
+    radius_box_.push_back(NumberTraits<T>::from_interval(Interval(radii_[i])));
   }
-  compute_products(midpoints_, midpoint_products_);
-  compute_products(radii_, radius_products_);
+  compute_products(centre_, midpoint_products_);
+  compute_products(radius_box_, radius_products_);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (plan_->is_expanded(k)) {
       expand_polynomial(k);
@@ -161,13 +150,19 @@ void Expansion<T>::expand(const Box& box) {
 }
 
 template <class T>
-void Expansion<T>::compute_products(std::span<const double> numbers, std::vector<T>& products) const {
+void Expansion<T>::bound_columns(std::span<const T> z) {
+  compute_products(z, z_products_);
+}
+
+template <class T>
+void Expansion<T>::compute_products(std::span<const T> numbers, std::vector<T>& products) const {
   products.resize(plan_->products_.size());
   products[0] = NumberTraits<T>::from_interval(Interval(1));
   for (std::size_t p = 1; p < products.size(); ++p) {
-    const auto& [parent, variable] = plan_->products_[p];
-    const T number = NumberTraits<T>::from_interval(Interval(numbers[variable]));
-    products[p] = parent == 0 ? number : products[parent] * number;
+    const auto& [parent, variable, power] = plan_->products_[p];
+    const T& number = numbers[variable];
+    const T factor = power == 1 ? number : power == 2 ? sqr(number) : pow(number, power);
+    products[p] = parent == 0 ? factor : products[parent] * factor;
   }
 }
 
@@ -176,8 +171,6 @@ void Expansion<T>::expand_polynomial(std::size_t equation) {
   ExpansionRow<T>& row = rows_[equation];
   row.constant = NumberTraits<T>::from_interval(Interval(0));
   T* value = row.values.data();
-  const T unit = NumberTraits<T>::from_interval(Interval(-1, 1));
-  const T half_unit = NumberTraits<T>::from_interval(Interval(0, 1));
   for (const auto& entry : plan_->rows_[equation].entries) {
     const auto term = [&](std::uint32_t t) {
       const auto& [coefficient, product] = plan_->terms_[t];
@@ -187,14 +180,9 @@ void Expansion<T>::expand_polynomial(std::size_t equation) {
     T sum = term(entry.first_term);
     for (std::uint32_t t = entry.first_term + 1; t < entry.end_term; ++t) sum = sum + term(t);
     if (entry.column == ExpansionPlan::kConstant) {
-      row.constant = row.constant + sum;
-      continue;
-    }
-    sum = sum * radius_products_[entry.radius_product];
-    if (entry.column == ExpansionPlan::kRemainder) {
-      row.constant = row.constant + sum * (entry.is_square ? half_unit : unit);
+      row.constant = sum;
     } else {
-      *value++ = sum;
+      *value++ = sum * radius_products_[entry.product];
     }
   }
 }

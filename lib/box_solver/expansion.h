@@ -6,11 +6,10 @@
 // Promise: wherever z stands for a point of the box at which all equations are defined, equation k equals
 // constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within the
 // interval coefficients. Columns 0 .. n-1 are the z_i themselves. A polynomial equation gets the columns of
-// all monomials of its Taylor expansion, with coefficients as thin as rounding allows, except that a monomial
-// of degree 3 or more that occurs in one equation alone, so that no combination can cancel it, is bounded and
-// added to the constant. Any other equation, and a polynomial with too many monomials, gets its mean value
-// form: f(m) and its slopes over the box, in the linear columns alone. An equation that may be undefined in
-// the box gets an empty row with an unbounded constant.
+// all monomials of its Taylor expansion, with coefficients as thin as rounding allows. Any other equation,
+// and a polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in
+// the linear columns alone. An equation that may be undefined in the box gets an empty row with an unbounded
+// constant.
 
 #include <cstdint>
 #include <map>
@@ -57,19 +56,20 @@ class ExpansionPlan {
   template <class T>
   friend class Expansion;
 
-  /// A product of variables: that of `parent` times one more.
+  /// A product of powers: that of `parent` times variable^power.
   struct Product {
     std::uint32_t parent;
     std::uint32_t variable;
+    int power;
+    auto operator<=>(const Product&) const = default;
   };
   struct Term {
     std::uint32_t coefficient;
     std::uint32_t product;  ///< of midpoints
   };
   struct Entry {
-    std::uint32_t column;          ///< kConstant for the constant, kRemainder for what is bounded
-    std::uint32_t radius_product;  ///< of radii
-    bool is_square;                ///< the monomial is nowhere negative
+    std::uint32_t column;   ///< kConstant for the constant
+    std::uint32_t product;  ///< of radii
     std::uint32_t first_term;
     std::uint32_t end_term;
   };
@@ -77,7 +77,6 @@ class ExpansionPlan {
     std::vector<Entry> entries;
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
-  static constexpr std::uint32_t kRemainder = kConstant - 1;
 
   /// Coefficients of the expansion as polynomials in the midpoints: monomials of z with the terms of each.
   struct Contribution {
@@ -87,12 +86,14 @@ class ExpansionPlan {
   using Entries = std::map<Exponents, std::vector<Contribution>>;
 
   static Entries expanded(const Polynomial& polynomial);
-  void add_row(const Entries& entries, const std::map<Exponents, int>& uses);
-  std::uint32_t column_of(const ScaledMonomial& monomial);
+  void add_row(const Entries& entries);
+  std::uint32_t column_of(const Exponents& exponents);
   std::uint32_t product_of(const Exponents& exponents);
 
   const SystemFunctions* functions_;
   std::vector<ScaledMonomial> columns_;
+  std::vector<std::uint32_t> column_products_;  ///< one a column
+  std::map<Product, std::uint32_t> product_numbers_;
   std::vector<Product> products_;  ///< after their parents; number 0 is the empty product
   std::vector<Rational> coefficients_;
   std::vector<Term> terms_;
@@ -108,13 +109,17 @@ class Expansion {
   /// Expands about the midpoint of a bounded box.
   void expand(const Box& box);
 
+  /// Bounds the monomials of the columns over a part z of [-1, 1]^n, for column_range.
+  void bound_columns(std::span<const T> z);
+  const T& column_range(std::uint32_t column) const { return z_products_[plan_->column_products_[column]]; }
+
   std::span<const double> midpoints() const { return midpoints_; }
   std::span<const double> radii() const { return radii_; }
   const ExpansionRow<T>& row(std::size_t equation) const { return rows_[equation]; }
   const ExpansionPlan& plan() const { return *plan_; }
 
  private:
-  void compute_products(std::span<const double> numbers, std::vector<T>& products) const;
+  void compute_products(std::span<const T> numbers, std::vector<T>& products) const;
   void expand_polynomial(std::size_t equation);
   void expand_by_mean_value(std::size_t equation);
 
@@ -122,7 +127,7 @@ class Expansion {
   std::vector<T> coefficients_;
   std::vector<TapeEvaluator<T>> evaluators_;
   std::vector<double> midpoints_, radii_;
-  std::vector<T> midpoint_products_, radius_products_, box_, centre_;
+  std::vector<T> midpoint_products_, radius_products_, z_products_, box_, centre_, radius_box_;
   std::vector<ExpansionRow<T>> rows_;
 };
 

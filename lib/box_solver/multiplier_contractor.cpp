@@ -29,6 +29,7 @@ class MultiplierContractor final : public Contractor {
     trace.add({Argument::expansion});
     scale_box(box);
     for (int pass = 0; pass < options_.passes; ++pass) {
+      expansion.bound_columns(z_);
       bool gained = false;
       for (std::size_t i = 0; i < box.size(); ++i) {
         const double before = width(box[i]);
@@ -86,7 +87,8 @@ class MultiplierContractor final : public Contractor {
     CombinedRow<T>& row = parts_.rows[i];
     const std::span<const double> multipliers = system_.multipliers(i);
     if (first_pass) row.combine(parts_.expansion, multipliers);
-    return take_over(i, row.solve(i, z_), {Argument::expansion_row, multipliers}, box, trace);
+    return take_over(i, row.solve(i, z_, parts_.expansion), {Argument::expansion_row, multipliers}, box,
+                     trace);
   }
 
   /// Where the linear parts determine nothing, as around a tangency, combinations in which a square
@@ -98,7 +100,8 @@ class MultiplierContractor final : public Contractor {
       const auto column = row.square_column(i);
       if (!column || !system_.solve_for(*column, square_multipliers_)) continue;
       row.combine(parts_.expansion, square_multipliers_);
-      if (!take_over(i, row.solve_square(i, z_), {Argument::square_row, square_multipliers_}, box, trace))
+      if (!take_over(i, row.solve_square(i, z_, parts_.expansion),
+                     {Argument::square_row, square_multipliers_}, box, trace))
         return false;
     }
     return true;
