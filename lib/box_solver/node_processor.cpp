@@ -82,7 +82,7 @@ NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<Exc
   return outcome;
 }
 
-/// True when the error of some equation's value at the midpoint is comparable to what the equation varies by
+/// True when the error of each equation's value at the midpoint is comparable to what the equation varies by
 /// over the box, so that no contraction in double precision can succeed.
 bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
   constexpr double kSmall = 1e-3;
@@ -104,9 +104,9 @@ bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
     double variation = 0;
     for (std::size_t i = 0; i < box.size(); ++i)
       variation += magnitude(jacobian_(k, i).interval()) * radius(box[i]);
-    if (width(values[k].interval()) > kPart * variation && variation > 0) return true;
+    if (!(width(values[k].interval()) > kPart * variation)) return false;
   }
-  return false;
+  return true;
 }
 
 bool NodeProcessor::escalate(NodeOutcome& outcome) {
