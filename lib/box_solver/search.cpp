@@ -90,7 +90,8 @@ class Search {
 
   void take_batch() {
     batch_.clear();
-    while (!open_.empty() && batch_.size() < kBatch) {
+    const std::uint64_t left = options_.maximum_boxes - result_.statistics.boxes;
+    while (!open_.empty() && batch_.size() < std::min<std::uint64_t>(kBatch, left)) {
       if (options_.order == Order::best_first) std::ranges::pop_heap(open_, {}, &SearchNode::measure);
       batch_.push_back(std::move(open_.back()));
       open_.pop_back();
