@@ -23,6 +23,7 @@ const Table& allowed() {
       {"interval", {"base"}},
       {"expression", {"interval"}},
       {"polynomial", {"expression"}},
+      {"linear_program", {"interval"}},
       {"enclosure", {"polynomial"}},
       {"covering", {"enclosure"}},
       {"experiments/corpus", {"covering"}},
