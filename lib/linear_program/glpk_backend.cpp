@@ -144,8 +144,8 @@ class GlpkBackend final : public LpBackend {
     const int variable = glp_get_unbnd_ray(problem_);
     if (variable == 0) return;
     const int rows = glp_get_num_rows(problem_);
-    const int position = variable <= rows ? glp_get_row_bind(problem_, variable)
-                                          : glp_get_col_bind(problem_, variable - rows);
+    const int position =
+        variable <= rows ? glp_get_row_bind(problem_, variable) : glp_get_col_bind(problem_, variable - rows);
     if (position == 0 || !glp_bf_exists(problem_)) return;
     std::vector<double> inverse_row(at(rows) + 1, 0.0);
     inverse_row[at(position)] = 1;

@@ -57,8 +57,7 @@ double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
   }
   double value = 0;
   for (int row = 0; row < model.rows(); ++row) {
-    const double multiplier =
-        usable_multiplier(multipliers[static_cast<std::size_t>(row)], model.sides(row));
+    const double multiplier = usable_multiplier(multipliers[static_cast<std::size_t>(row)], model.sides(row));
     if (multiplier == 0) continue;
     value += multiplier * held_side(multiplier, model.sides(row));
     const auto columns = model.row_columns(row);

@@ -20,12 +20,12 @@ class LpBackend {
   LpBackend(const LpBackend&) = delete;
   LpBackend& operator=(const LpBackend&) = delete;
 
-  /// Takes over the midpoints of a model; the model may change or vanish afterwards. A model of the same structure
-  /// as the one before starts from the last basis, unless the backend was told to start cold.
+  /// Takes over the midpoints of a model; the model may change or vanish afterwards. A model of the same
+  /// structure as the one before starts from the last basis, unless the backend was told to start cold.
   void load(const LpModel& model);
 
-  /// min c.x over the loaded model, c being the midpoints of the terms, whose columns are different. The answer
-  /// lives until the next call.
+  /// min c.x over the loaded model, c being the midpoints of the terms, whose columns are different. The
+  /// answer lives until the next call.
   const LpSolution& minimise(std::span<const LinearTerm> objective);
 
  protected:
@@ -40,8 +40,9 @@ class LpBackend {
   LpSolution solution_;
 };
 
-/// The value sum_i (y_i > 0 ? y_i L_i : y_i U_i) + min over the column box of (c - A^T y).x, in rounded arithmetic: what
-/// multipliers y claim to bound. Multipliers of the wrong sign for an infinite side count as 0.
+/// The value sum_i (y_i > 0 ? y_i L_i : y_i U_i) + min over the column box of (c - A^T y).x, in rounded
+/// arithmetic: what multipliers y claim to bound. Multipliers of the wrong sign for an infinite side count as
+/// 0.
 double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
                     std::span<const double> multipliers);
 

@@ -3,11 +3,11 @@
 // Linear programs over a box with interval data: what the polytope of a box is handed over as.
 //
 // Columns x_j have finite bounds. A row has sparse interval coefficients A_i and sides [L_i, U_i], either of
-// which may be infinite. A point x of the column box SATISFIES row i when L_i <= a.x <= U_i for SOME a in A_i, and is
-// feasible when it satisfies every row, each with a choice of its own. So data that are known up to rounding
-// are written as intervals around the true ones, and every rigorous statement of this library ("no feasible
-// point", "c.x >= 0.3 on the feasible points") holds for the true program too. Numeric solvers see the
-// midpoints of the coefficients, which prove nothing.
+// which may be infinite. A point x of the column box SATISFIES row i when L_i <= a.x <= U_i for SOME a in
+// A_i, and is feasible when it satisfies every row, each with a choice of its own. So data that are known up
+// to rounding are written as intervals around the true ones, and every rigorous statement of this library
+// ("no feasible point", "c.x >= 0.3 on the feasible points") holds for the true program too. Numeric solvers
+// see the midpoints of the coefficients, which prove nothing.
 //
 // Made to be refilled: the next box of a search has other numbers at the same places, and the set_ functions
 // write them without allocating.

@@ -2,7 +2,9 @@
 
 // A new solver is one line here: the function that describes it, defined in its own file.
 #define GCSLAB_LP_BACKENDS(X) \
-  X(glpk_backend)
+  X(simplex_backend)          \
+  X(glpk_backend)             \
+  X(clp_backend)
 
 namespace gcslab {
 

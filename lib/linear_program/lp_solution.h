@@ -2,11 +2,11 @@
 
 // What a linear programming solver answers, in numbers that are rounded and prove nothing by themselves.
 //
-// Signs. The program is: minimise c.x subject to L <= A x <= U and the column bounds. Multipliers y (one a row)
-// and reduced costs z (one a column) satisfy c = A^T y + z; where a multiplier is positive the lower side holds
-// with equality, where it is negative the upper side does. So min c.x = sum_i (y_i > 0 ? y_i L_i : y_i U_i) + the
-// same for z and the column bounds. A ray is a multiplier vector for c = 0 whose value so computed is positive:
-// no x satisfies all rows (Farkas 1902). safe_bound.h turns either into proofs.
+// Signs. The program is: minimise c.x subject to L <= A x <= U and the column bounds. Multipliers y (one a
+// row) and reduced costs z (one a column) satisfy c = A^T y + z; where a multiplier is positive the lower
+// side holds with equality, where it is negative the upper side does. So min c.x = sum_i (y_i > 0 ? y_i L_i :
+// y_i U_i) + the same for z and the column bounds. A ray is a multiplier vector for c = 0 whose value so
+// computed is positive: no x satisfies all rows (Farkas 1902). safe_bound.h turns either into proofs.
 
 #include <string_view>
 #include <vector>
