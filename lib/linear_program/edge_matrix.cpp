@@ -1,6 +1,7 @@
 #include "linear_program/edge_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <immintrin.h>
 
 namespace gcslab {
@@ -8,6 +9,8 @@ namespace {
 
 constexpr std::size_t kBlock = 4;
 constexpr double kNoise = 1e-13;
+/// Cancellation must not make an edge look shorter than any is.
+constexpr double kSmallestSquaredLength = 1e-8;
 
 __m256d without_noise(__m256d x) {
   const __m256d magnitude = _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
@@ -58,20 +61,30 @@ void EdgeMatrix::vertex(const double* offset, double* point) const {
   }
 }
 
-/// edge_t -= step * factor_t in one coordinate, and the old coordinates into the inner products.
-void EdgeMatrix::update_blocks(double* row, double step) {
-  const __m256d steps = _mm256_set1_pd(step);
+/// edge_t -= step * factor_t in a few coordinates at a time, and their old values into the inner products.
+template <std::size_t count>
+void EdgeMatrix::update_coordinates(const std::size_t* coordinates, const double* edge) {
+  std::array<double*, count> rows;
+  __m256d steps[count];
+  for (std::size_t i = 0; i < count; ++i) {
+    rows[i] = entries_.data() + coordinates[i] * stride_;
+    steps[i] = _mm256_set1_pd(edge[coordinates[i]]);
+  }
+  const double* factors = factors_.data();
+  double* inner = inner_.data();
   for (const std::size_t t : blocks_) {
-    const __m256d old = _mm256_loadu_pd(row + t);
-    const __m256d inner = _mm256_fmadd_pd(steps, old, _mm256_loadu_pd(inner_.data() + t));
-    _mm256_storeu_pd(inner_.data() + t, inner);
-    const __m256d updated = _mm256_fnmadd_pd(steps, _mm256_loadu_pd(factors_.data() + t), old);
-    _mm256_storeu_pd(row + t, without_noise(updated));
+    const __m256d factor = _mm256_loadu_pd(factors + t);
+    __m256d product = _mm256_loadu_pd(inner + t);
+    for (std::size_t i = 0; i < count; ++i) {
+      const __m256d old = _mm256_loadu_pd(rows[i] + t);
+      product = _mm256_fmadd_pd(steps[i], old, product);
+      _mm256_storeu_pd(rows[i] + t, without_noise(_mm256_fnmadd_pd(steps[i], factor, old)));
+    }
+    _mm256_storeu_pd(inner + t, product);
   }
 }
 
-void EdgeMatrix::exchange(std::size_t slot, const double* along, const double* edge) {
-  const double inverse = 1 / along[slot];
+void EdgeMatrix::find_factors(const double* along, double inverse) {
   blocks_.clear();
   for (std::size_t t = 0; t < stride_; t += kBlock) {
     const __m256d factors = without_noise(_mm256_mul_pd(_mm256_loadu_pd(along + t), _mm256_set1_pd(inverse)));
@@ -80,20 +93,32 @@ void EdgeMatrix::exchange(std::size_t slot, const double* along, const double* e
     const int is_zero = _mm256_movemask_pd(_mm256_cmp_pd(factors, _mm256_setzero_pd(), _CMP_EQ_OQ));
     if (is_zero != 15) blocks_.push_back(t);
   }
+}
+
+void EdgeMatrix::exchange(std::size_t slot, const double* along, const double* edge) {
+  const double inverse = 1 / along[slot];
+  find_factors(along, inverse);
+  moving_.clear();
   for (std::size_t j = 0; j < size_; ++j) {
-    if (edge[j] == 0) continue;
-    update_blocks(entries_.data() + j * stride_, edge[j]);
-    entries_[j * stride_ + slot] = edge[j] * inverse;
+    if (edge[j] != 0) moving_.push_back(j);
   }
+  std::size_t k = 0;
+  for (; k + 4 <= moving_.size(); k += 4) update_coordinates<4>(moving_.data() + k, edge);
+  for (; k < moving_.size(); ++k) update_coordinates<1>(moving_.data() + k, edge);
+  for (const std::size_t j : moving_) entries_[j * stride_ + slot] = edge[j] * inverse;
+  update_squared_lengths(slot, inverse);
+}
+
+/// |edge_t - f edge_s|^2 = |edge_t|^2 - 2 f edge_t.edge_s + f^2 |edge_s|^2.
+void EdgeMatrix::update_squared_lengths(std::size_t slot, double inverse) {
   const double squared_length = squared_lengths_[slot];
   for (const std::size_t block : blocks_) {
     for (std::size_t t = block; t < block + kBlock; ++t) {
-      const double updated =
-          squared_lengths_[t] - factors_[t] * (2 * inner_[t] - factors_[t] * squared_length);
-      squared_lengths_[t] = std::max(updated, 1e-8);
+      const double change = factors_[t] * (2 * inner_[t] - factors_[t] * squared_length);
+      squared_lengths_[t] = std::max(squared_lengths_[t] - change, kSmallestSquaredLength);
     }
   }
-  squared_lengths_[slot] = std::max(squared_length * inverse * inverse, 1e-8);
+  squared_lengths_[slot] = std::max(squared_length * inverse * inverse, kSmallestSquaredLength);
 }
 
 }  // namespace gcslab

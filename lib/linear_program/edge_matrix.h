@@ -43,7 +43,10 @@ class EdgeMatrix {
   void exchange(std::size_t slot, const double* along, const double* edge);
 
  private:
-  void update_blocks(double* row, double step);
+  void find_factors(const double* along, double inverse);
+  template <std::size_t count>
+  void update_coordinates(const std::size_t* coordinates, const double* edge);
+  void update_squared_lengths(std::size_t slot, double inverse);
 
   std::size_t size_ = 0;
   std::size_t stride_ = 0;
@@ -52,6 +55,7 @@ class EdgeMatrix {
   std::vector<double> factors_;      ///< along / along[slot]
   std::vector<double> inner_;        ///< edge_t . edge_slot
   std::vector<std::size_t> blocks_;  ///< where factors_ has non-zeros, four edges a block
+  std::vector<std::size_t> moving_;  ///< the coordinates in which the leaving edge is not zero
 };
 
 }  // namespace gcslab

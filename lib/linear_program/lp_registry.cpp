@@ -3,6 +3,7 @@
 // A new solver is one line here: the function that describes it, defined in its own file.
 #define GCSLAB_LP_BACKENDS(X) \
   X(simplex_backend)          \
+  X(exact_backend)            \
   X(glpk_backend)             \
   X(clp_backend)
 

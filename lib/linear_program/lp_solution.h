@@ -42,7 +42,7 @@ struct LpSolution {
   std::vector<double> multipliers;    ///< one a row
   std::vector<double> reduced_costs;  ///< one a column
   std::vector<double> ray;            ///< one a row when infeasible; may be empty
-  LpBasis basis;                      ///< when optimal
+  LpBasis basis;                      ///< when optimal; some solvers also say where infeasibility showed
   long iterations = 0;                ///< of this call
 };
 

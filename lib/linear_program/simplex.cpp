@@ -57,7 +57,10 @@ void Simplex::minimise(std::span<const LinearTerm> objective, LpSolution& soluti
     write_vertex(solution);
   }
   infeasible_ = outcome == Walk::infeasible;
-  if (infeasible_) solution.ray = ray_;
+  if (infeasible_) {
+    solution.ray = ray_;
+    solution.basis = ray_basis_;
+  }
   solution.status = outcome == Walk::done         ? LpStatus::optimal
                     : outcome == Walk::infeasible ? LpStatus::infeasible
                     : outcome == Walk::inaccurate ? LpStatus::failed
@@ -83,10 +86,13 @@ Simplex::Walk Simplex::solve_moved() {
       vertex_.rebuild(program_);
       feasible_ = false;
     }
+    if (!feasible_) pool_.clear();
     outcome = feasible_ ? Walk::done : reach_feasibility();
     if (outcome != Walk::done) continue;
+    if (const SimplexVertex* nearer = pool_.best(cost_, cost_at(vertex_, cost_))) vertex_ = *nearer;
     set_multipliers();
     outcome = walk_along_edges(program_.moved_sides());
+    if (outcome == Walk::done && !options_.cold) pool_.remember(vertex_);
   }
   return outcome;
 }
@@ -229,6 +235,7 @@ std::size_t Simplex::slot_to_leave(double direction) const {
 
 /// The constraint's normal as a combination of those that hold: no point can do better than the vertex.
 void Simplex::note_ray(std::size_t constraint, double direction) {
+  write_basis(ray_basis_);
   std::vector<double> normal(program_.columns(), 0.0);
   ray_.assign(program_.rows(), 0.0);
   if (constraint < program_.columns()) {
@@ -307,27 +314,28 @@ void Simplex::write_multipliers(std::span<const double> slot_multipliers, std::v
 
 void Simplex::write_vertex(LpSolution& solution) const {
   write_multipliers(multiplier_, solution.multipliers);
-  write_reduced_costs(solution);
+  write_reduced_costs(solution.reduced_costs);
+  write_basis(solution.basis);
   solution.primal.assign(vertex_.values(), vertex_.values() + program_.columns());
-  solution.objective = 0;
-  for (std::size_t j = 0; j < program_.columns(); ++j) {
-    solution.objective += cost_[j] * solution.primal[j];
+  solution.objective = cost_at(vertex_, cost_);
+}
+
+void Simplex::write_reduced_costs(std::vector<double>& reduced_costs) const {
+  reduced_costs.assign(program_.columns(), 0.0);
+  for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
+    const std::size_t constraint = vertex_.constraint(slot);
+    if (constraint < program_.columns()) reduced_costs[constraint] = multiplier_[slot];
   }
 }
 
-void Simplex::write_reduced_costs(LpSolution& solution) const {
-  solution.reduced_costs.assign(program_.columns(), 0.0);
-  solution.basis.columns.assign(program_.columns(), LpActivity::free);
-  solution.basis.rows.assign(program_.rows(), LpActivity::free);
+void Simplex::write_basis(LpBasis& basis) const {
+  basis.columns.assign(program_.columns(), LpActivity::free);
+  basis.rows.assign(program_.rows(), LpActivity::free);
   for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
     const LpActivity activity = vertex_.inward(slot) < 0 ? LpActivity::at_upper : LpActivity::at_lower;
     const std::size_t constraint = vertex_.constraint(slot);
-    if (constraint < program_.columns()) {
-      solution.reduced_costs[constraint] = multiplier_[slot];
-      solution.basis.columns[constraint] = activity;
-    } else {
-      solution.basis.rows[constraint - program_.columns()] = activity;
-    }
+    (constraint < program_.columns() ? basis.columns[constraint]
+                                     : basis.rows[constraint - program_.columns()]) = activity;
   }
 }
 

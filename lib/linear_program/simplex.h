@@ -6,10 +6,10 @@
 // (edge_matrix.h), so that the multipliers of a new objective x_j are read off, and a step costs one pass
 // over the sparse rows and one rank-one update. A dual simplex for an objective that the starting vertex is
 // optimal for by construction, with random multipliers, reaches a vertex or a proof that there is none; the
-// primal simplex with steepest edges (Forrest, Goldfarb 1992) then goes from each optimum to the next. These
-// polytopes are highly degenerate: the walk is on sides moved outward by about 1e-6 (Charnes 1952) with
-// Harris's ratio test (1973), and each optimum is then computed from the true sides, by dual simplex steps
-// where its vertex is not feasible there; the walk goes on from where it was.
+// primal simplex with steepest edges (Forrest, Goldfarb 1992) then starts from the best of the optima found
+// before (vertex_pool.h). These polytopes are highly degenerate: the walk is on sides moved outward by about
+// 1e-6 (Charnes 1952) with Harris's ratio test (1973), and each optimum is then computed from the true sides,
+// by dual simplex steps where its vertex is not feasible there; the walk goes on from where it was.
 //
 // Answers are rounded: tolerance 1e-9 of feasibility in scaled rows. Multipliers are refined once against
 // the rows. One thread; round to nearest.
@@ -22,6 +22,7 @@
 #include "linear_program/lp_solution.h"
 #include "linear_program/simplex_program.h"
 #include "linear_program/simplex_vertex.h"
+#include "linear_program/vertex_pool.h"
 
 namespace gcslab {
 
@@ -64,12 +65,14 @@ class Simplex {
   void refine(std::span<const double> normal, std::vector<double>& slot_multipliers);
   void write_multipliers(std::span<const double> slot_multipliers, std::vector<double>& rows) const;
   void write_vertex(LpSolution& solution) const;
-  void write_reduced_costs(LpSolution& solution) const;
+  void write_reduced_costs(std::vector<double>& reduced_costs) const;
+  void write_basis(LpBasis& basis) const;
 
   SimplexOptions options_;
   SimplexProgram program_;
   SimplexVertex vertex_;
   SimplexVertex walk_;  ///< the vertex on moved sides while one on true sides is sought
+  VertexPool pool_;
   bool feasible_ = false;
   bool infeasible_ = false;
   long iterations_ = 0;
@@ -82,6 +85,7 @@ class Simplex {
   std::vector<double> rate_;  ///< one a constraint
   std::vector<double> residual_;
   std::vector<double> ray_;  ///< one a row of the model
+  LpBasis ray_basis_;        ///< where the ray was found
 };
 
 }  // namespace gcslab

@@ -26,17 +26,21 @@ __m256d room(const double* value, __m256d rate, const double* lower, const doubl
   return _mm256_max_pd(ahead, _mm256_setzero_pd());
 }
 
-/// The smallest (room + tolerance) / |rate|.
+/// The smallest (room + tolerance) / |rate|. Divides only where that is smaller than what was found before.
 double loosest_step(const double* value, const double* rate, const double* lower, const double* upper,
                     std::size_t stride, double tolerance, double smallest_rate) {
+  const __m256d smallest_rates = _mm256_set1_pd(smallest_rate);
   __m256d smallest = _mm256_set1_pd(kInfinity);
   for (std::size_t k = 0; k < stride; k += 4) {
     const __m256d rates = _mm256_loadu_pd(rate + k);
-    const __m256d counts = _mm256_cmp_pd(magnitude(rates), _mm256_set1_pd(smallest_rate), _CMP_GT_OQ);
-    if (_mm256_testz_pd(counts, counts)) continue;
+    const __m256d sizes = magnitude(rates);
     const __m256d ahead = _mm256_add_pd(room(value, rates, lower, upper, k), _mm256_set1_pd(tolerance));
-    const __m256d steps = _mm256_div_pd(ahead, magnitude(rates));
-    smallest = _mm256_min_pd(smallest, _mm256_blendv_pd(_mm256_set1_pd(kInfinity), steps, counts));
+    const __m256d counts = _mm256_cmp_pd(sizes, smallest_rates, _CMP_GT_OQ);
+    const __m256d nearer = _mm256_cmp_pd(ahead, _mm256_mul_pd(smallest, sizes), _CMP_LT_OQ);
+    const __m256d improves = _mm256_and_pd(counts, nearer);
+    if (_mm256_testz_pd(improves, improves)) continue;
+    smallest = _mm256_blendv_pd(smallest, _mm256_div_pd(ahead, sizes), improves);
+    smallest = _mm256_set1_pd(smallest_of(smallest));
   }
   return smallest_of(smallest);
 }
@@ -47,18 +51,23 @@ Blocking ratio_test(const double* value, const double* rate, const double* lower
                     std::size_t stride, double tolerance, double smallest_rate) {
   const double loosest = loosest_step(value, rate, lower, upper, stride, tolerance, smallest_rate);
   Blocking result{kInfinity, 0};
+  if (loosest == kInfinity) return result;
   double largest_rate = smallest_rate;
-  for (std::size_t k = 0; k < stride && loosest < kInfinity; k += 4) {
+  for (std::size_t k = 0; k < stride; k += 4) {
     const __m256d rates = _mm256_loadu_pd(rate + k);
-    const __m256d counts = _mm256_cmp_pd(magnitude(rates), _mm256_set1_pd(largest_rate), _CMP_GT_OQ);
-    if (_mm256_testz_pd(counts, counts)) continue;
-    for (std::size_t i = k; i < k + 4; ++i) {
-      const double size = std::abs(rate[i]);
-      if (!(size > largest_rate)) continue;
-      const double ahead = std::max(rate[i] > 0 ? upper[i] - value[i] : value[i] - lower[i], 0.0);
-      if (ahead > loosest * size) continue;
+    const __m256d sizes = magnitude(rates);
+    const __m256d larger = _mm256_cmp_pd(sizes, _mm256_set1_pd(largest_rate), _CMP_GT_OQ);
+    const __m256d ahead = room(value, rates, lower, upper, k);
+    const __m256d blocks = _mm256_cmp_pd(ahead, _mm256_mul_pd(sizes, _mm256_set1_pd(loosest)), _CMP_LE_OQ);
+    const auto eligible = static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(larger, blocks)));
+    if (eligible == 0) continue;
+    alignas(32) double rooms[4];
+    _mm256_store_pd(rooms, ahead);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double size = std::abs(rate[k + i]);
+      if ((eligible >> i & 1U) == 0 || !(size > largest_rate)) continue;
       largest_rate = size;
-      result = {ahead / size, i};
+      result = {rooms[i] / size, k + i};
     }
   }
   return result;
