@@ -156,9 +156,12 @@ class ClpBackend final : public LpBackend {
     Clp_chgObjCoefficients(clp(), cost_.data());
     Clp_dual(clp(), 0);
     double* found = Clp_status(clp()) == 1 ? Clp_infeasibilityRay(clp()) : nullptr;
-    if (found == nullptr) return;
-    ray.assign(found, found + model_.rows());
-    Clp_freeRay(clp(), found);
+    if (found == nullptr) {
+      ray = single_row_ray(model_);
+    } else {
+      ray.assign(found, found + model_.rows());
+      Clp_freeRay(clp(), found);
+    }
     orient_ray(model_, ray);
   }
 

@@ -140,18 +140,21 @@ class GlpkBackend final : public LpBackend {
   void find_ray(std::vector<double>& ray) {
     set_objective({});
     glp_std_basis(problem_);
-    if (run(GLP_DUAL) != 0) return;
-    const int variable = glp_get_unbnd_ray(problem_);
+    if (run(GLP_DUAL) == 0 && glp_bf_exists(problem_)) read_ray(glp_get_unbnd_ray(problem_), ray);
+    if (ray.empty()) ray = single_row_ray(model_);
+    orient_ray(model_, ray);
+  }
+
+  void read_ray(int variable, std::vector<double>& ray) const {
     if (variable == 0) return;
     const int rows = glp_get_num_rows(problem_);
     const int position =
         variable <= rows ? glp_get_row_bind(problem_, variable) : glp_get_col_bind(problem_, variable - rows);
-    if (position == 0 || !glp_bf_exists(problem_)) return;
+    if (position == 0) return;
     std::vector<double> inverse_row(at(rows) + 1, 0.0);
     inverse_row[at(position)] = 1;
     glp_btran(problem_, inverse_row.data());
     ray.assign(inverse_row.begin() + 1, inverse_row.end());
-    orient_ray(model_, ray);
   }
 
   bool cold_;

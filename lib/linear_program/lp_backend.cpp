@@ -73,6 +73,29 @@ double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
   return value;
 }
 
+std::vector<double> single_row_ray(const LpModel& model) {
+  double largest_miss = 0;
+  int missed = -1;
+  for (int row = 0; row < model.rows(); ++row) {
+    double least = 0;
+    double largest = 0;
+    for (std::size_t k = 0; k < model.row_columns(row).size(); ++k) {
+      const Interval& bounds = model.column(model.row_columns(row)[k]);
+      const double coefficient = model.row_midpoints(row)[k];
+      least += std::min(coefficient * bounds.lower, coefficient * bounds.upper);
+      largest += std::max(coefficient * bounds.lower, coefficient * bounds.upper);
+    }
+    const double miss = std::max(model.sides(row).lower - largest, least - model.sides(row).upper);
+    if (miss <= largest_miss) continue;
+    largest_miss = miss;
+    missed = row;
+  }
+  if (missed < 0) return {};
+  std::vector<double> ray(static_cast<std::size_t>(model.rows()), 0.0);
+  ray[static_cast<std::size_t>(missed)] = 1;
+  return ray;
+}
+
 void orient_ray(const LpModel& model, std::vector<double>& ray) {
   std::vector<double> negated(ray.size());
   std::transform(ray.begin(), ray.end(), negated.begin(), [](double value) { return -value; });

@@ -46,6 +46,10 @@ class LpBackend {
 double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
                     std::span<const double> multipliers);
 
+/// The row that the column box misses most, as a ray; empty when it meets every row. For solvers that
+/// see such a row before they start and give no reason.
+std::vector<double> single_row_ray(const LpModel& model);
+
 /// The multipliers, or their negatives if those claim more: for solvers whose rays have no settled sign.
 void orient_ray(const LpModel& model, std::vector<double>& ray);
 
