@@ -34,6 +34,10 @@ std::vector<BackendChoice> all_choices() {
   return result;
 }
 
+std::string name_of_choice(const testing::TestParamInfo<BackendChoice>& info) {
+  return info.param.variant->name + "_" + info.param.start;
+}
+
 class LpBackendContract : public testing::TestWithParam<BackendChoice> {
  protected:
   std::unique_ptr<LpBackend> make() const {
@@ -73,14 +77,14 @@ TEST_P(LpBackendContract, AgreesWithTheExactOptimumOfRandomPrograms) {
     const ExactSolution exact = ExactSimplex(program.model).minimise(program.objective, {});
     backend->load(program.model);
     const LpSolution& solution = backend->minimise(program.objective);
-    if (is_exact()) EXPECT_EQ(solution.status, exact.status);
+    EXPECT_TRUE(!is_exact() || solution.status == exact.status);
     if (solution.status != LpStatus::optimal || exact.status != LpStatus::optimal) continue;
     ++compared;
     ASSERT_NEAR(solution.objective, nearest_double(exact.objective), kAccuracy);
     ASSERT_NEAR(unsafe_bound(program.model, program.objective, solution.multipliers), solution.objective,
                 kAccuracy);
     expect_consistent(program, solution);
-    if (is_exact()) EXPECT_EQ(solution.objective, nearest_double(exact.objective));
+    EXPECT_TRUE(!is_exact() || solution.objective == nearest_double(exact.objective));
   }
   EXPECT_GT(compared, 100);
 }
@@ -196,10 +200,7 @@ TEST_P(LpBackendContract, RefusesColumnsThatAreNotThere) {
   EXPECT_THROW(static_cast<void>(backend->minimise({&objective, 1})), InvariantError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registered, LpBackendContract, testing::ValuesIn(all_choices()),
-                         [](const testing::TestParamInfo<BackendChoice>& info) {
-                           return info.param.variant->name + "_" + info.param.start;
-                         });
+INSTANTIATE_TEST_SUITE_P(Registered, LpBackendContract, testing::ValuesIn(all_choices()), name_of_choice);
 
 }  // namespace
 }  // namespace gcslab

@@ -31,7 +31,7 @@ const Table& allowed() {
       {"experiments/runner", {"experiments/tasks", "experiments/provenance.h"}},
       {"experiments/reporting", {"experiments/runner"}},
       {"experiments/commands", {"experiments/reporting"}},
-      {"experiments/microbenchmarks", {"experiments/tasks"}},
+      {"experiments/microbenchmarks", {"experiments/tasks", "linear_program"}},
       {"experiments/provenance.h", {}},
   };
   return table;
