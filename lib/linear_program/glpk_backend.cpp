@@ -28,6 +28,23 @@ LpActivity activity(int status, const Interval& bounds) {
   return status == GLP_NL && std::isfinite(bounds.lower) ? LpActivity::at_lower : LpActivity::at_upper;
 }
 
+/// GLPK keeps an environment a thread, which the last user of the thread frees.
+class GlpkEnvironment {
+ public:
+  GlpkEnvironment() { ++users(); }
+  ~GlpkEnvironment() {
+    if (--users() == 0) glp_free_env();
+  }
+  GlpkEnvironment(const GlpkEnvironment&) = delete;
+  GlpkEnvironment& operator=(const GlpkEnvironment&) = delete;
+
+ private:
+  static int& users() {
+    thread_local int count = 0;
+    return count;
+  }
+};
+
 class GlpkBackend final : public LpBackend {
  public:
   explicit GlpkBackend(const Options& options) : cold_(starts_cold(options)) {
@@ -157,6 +174,7 @@ class GlpkBackend final : public LpBackend {
     ray.assign(inverse_row.begin() + 1, inverse_row.end());
   }
 
+  GlpkEnvironment environment_;  // goes after the problem
   bool cold_;
   glp_smcp control_{};
   glp_prob* problem_ = nullptr;

@@ -128,17 +128,8 @@ Simplex::Walk Simplex::walk_along_edges(const ConstraintSides& sides) {
 
 /// The edge along which the objective falls most for its length; slots() when there is none.
 std::size_t Simplex::steepest_edge() const {
-  const double* inward = vertex_.inward();
-  const double* squared_length = vertex_.edges().squared_lengths();
-  std::size_t best = vertex_.slots();
-  double best_score = 0;
-  for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
-    const double fall = -inward[slot] * multiplier_[slot];
-    if (fall <= kOptimality || fall * fall <= best_score * squared_length[slot]) continue;
-    best_score = fall * fall / squared_length[slot];
-    best = slot;
-  }
-  return best;
+  return simplex_kernel::steepest(vertex_.inward(), multiplier_.data(), vertex_.edges().squared_lengths(),
+                                  vertex_.slots(), kOptimality);
 }
 
 Simplex::Walk Simplex::step_along_edge(std::size_t slot, const ConstraintSides& sides) {

@@ -91,6 +91,29 @@ Violation largest_violation(const double* value, const double* lower, const doub
   return result;
 }
 
+std::size_t steepest(const double* inward, const double* multiplier, const double* squared_length,
+                     std::size_t count, double smallest_fall) {
+  std::size_t best = count;
+  double best_score = 0;
+  for (std::size_t k = 0; k < count; k += 4) {
+    const __m256d gain = _mm256_mul_pd(_mm256_loadu_pd(inward + k), _mm256_loadu_pd(multiplier + k));
+    const __m256d falls = _mm256_cmp_pd(gain, _mm256_set1_pd(-smallest_fall), _CMP_LT_OQ);
+    const __m256d square = _mm256_mul_pd(gain, gain);
+    const __m256d least = _mm256_mul_pd(_mm256_set1_pd(best_score), _mm256_loadu_pd(squared_length + k));
+    const __m256d better = _mm256_cmp_pd(square, least, _CMP_GT_OQ);
+    const auto eligible = static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(falls, better)));
+    if (eligible == 0) continue;
+    alignas(32) double squares[4];
+    _mm256_store_pd(squares, square);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((eligible >> i & 1U) == 0 || squares[i] <= best_score * squared_length[k + i]) continue;
+      best_score = squares[i] / squared_length[k + i];
+      best = k + i;
+    }
+  }
+  return best;
+}
+
 void advance(double* value, const double* rate, double step, std::size_t stride) {
   const __m256d steps = _mm256_set1_pd(step);
   for (std::size_t k = 0; k < stride; k += 4) {

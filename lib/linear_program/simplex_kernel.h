@@ -25,6 +25,12 @@ struct Violation {
 Violation largest_violation(const double* value, const double* lower, const double* upper,
                             std::size_t stride);
 
+/// Of the elements with fall > smallest_fall, fall = -inward * multiplier, the one with the largest fall^2 /
+/// squared_length; `count` when there is none. The arrays have count elements, padded with zeros (lengths:
+/// ones) to a multiple of four.
+std::size_t steepest(const double* inward, const double* multiplier, const double* squared_length,
+                     std::size_t count, double smallest_fall);
+
 /// value += step * rate.
 void advance(double* value, const double* rate, double step, std::size_t stride);
 

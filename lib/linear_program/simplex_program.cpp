@@ -112,12 +112,14 @@ void SimplexProgram::fill_rows(double* v) const {
 
 void SimplexProgram::fill_rows_of_sparse(double* v) const {
   double* rows = v + columns_;
+  const int* row = column_row_.data();
+  const double* coefficient = column_value_.data();
   std::fill_n(rows, rows_, 0.0);
   for (std::size_t j = 0; j < columns_; ++j) {
-    if (v[j] == 0) continue;
-    for (std::size_t k = column_start_[j]; k < column_start_[j + 1]; ++k) {
-      rows[column_row_[k]] += column_value_[k] * v[j];
-    }
+    const double value = v[j];
+    if (value == 0) continue;
+    const std::size_t end = column_start_[j + 1];
+    for (std::size_t k = column_start_[j]; k < end; ++k) rows[row[k]] += coefficient[k] * value;
   }
 }
 

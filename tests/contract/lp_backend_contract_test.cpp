@@ -191,6 +191,25 @@ TEST_P(LpBackendContract, RefusesOtherThreadsAndOtherRoundingModes) {
   EXPECT_TRUE(rounding_is_nearest());
 }
 
+TEST_P(LpBackendContract, BackendsOfTwoThreadsDoNotDisturbEachOther) {
+  const auto work = [this](std::vector<double>& objectives) {
+    for (int i = 0; i < 5; ++i) {
+      const RandomBernsteinPolytope polytope(4, 0.2, static_cast<std::uint64_t>(i));
+      const auto backend = make();
+      backend->load(polytope.model());
+      for (int column = 0; column < 4; ++column) {
+        const LinearTerm objective{column, 1.0};
+        objectives.push_back(backend->minimise({&objective, 1}).objective);
+      }
+    }
+  };
+  std::vector<double> here, there;
+  std::thread other([&] { work(there); });
+  work(here);
+  other.join();
+  EXPECT_EQ(here, there);
+}
+
 TEST_P(LpBackendContract, RefusesColumnsThatAreNotThere) {
   LpModel model;
   model.add_column({0, 1});
