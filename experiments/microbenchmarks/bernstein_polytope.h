@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -46,14 +46,12 @@ class RandomBernsteinPolytope {
     for (int j = 0; j < unknowns_; ++j) {
       centre_[at(j)] = root_[at(j)] + radius * random_.uniform(-0.9, 0.9);
     }
-    for (std::size_t k = 0; k < equations_.size(); ++k)
-      write_equation(k, first_equation_ + static_cast<int>(k));
+    write_equations();
   }
   /// The same system over a box of the same size that need not contain a root.
   void leave_root(double distance) {
     for (int j = 0; j < unknowns_; ++j) centre_[at(j)] += distance * random_.uniform(-1, 1);
-    for (std::size_t k = 0; k < equations_.size(); ++k)
-      write_equation(k, first_equation_ + static_cast<int>(k));
+    write_equations();
   }
   /// The planted root in every column of the model, up to rounding.
   std::vector<double> planted_point() const {
@@ -104,27 +102,37 @@ class RandomBernsteinPolytope {
     for (const Equation& equation : equations_) {
       for (const auto& [s, t] : kPairs) product(equation.unknown[at(s)], equation.unknown[at(t)]);
     }
-    const double infinity = std::numeric_limits<double>::infinity();
     for (const auto& [pair, column] : product_) {
-      const auto [i, j] = pair;
-      if (i == j) {
-        for (const double sign : {-2.0, 2.0}) {
-          model_.add_row(std::vector<LinearTerm>{{i, sign}, {column, 1.0}}, {-1, infinity});
-        }
-        continue;
-      }
-      for (const double s : {-1.0, 1.0}) {
-        for (const double t : {-1.0, 1.0}) {
-          model_.add_row(std::vector<LinearTerm>{{i, s}, {j, t}, {column, s * t}}, {-1, infinity});
-        }
-        model_.add_row(std::vector<LinearTerm>{{product(i, i), 1.0}, {product(j, j), 1.0}, {column, 2 * s}},
-                       {0, infinity});
+      if (pair.first == pair.second) {
+        add_square(pair.first, column);
+      } else {
+        add_pair(pair.first, pair.second, column);
       }
     }
     first_equation_ = model_.rows();
     for (const Equation& equation : equations_) add_equation(equation);
-    for (std::size_t k = 0; k < equations_.size(); ++k)
+    write_equations();
+  }
+
+  void add_at_least(const std::vector<LinearTerm>& terms, double lower) {
+    model_.add_row(terms, {lower, std::numeric_limits<double>::infinity()});
+  }
+
+  void add_square(int j, int column) {
+    for (const double sign : {-2.0, 2.0}) add_at_least({{j, sign}, {column, 1.0}}, -1);
+  }
+
+  void add_pair(int i, int j, int column) {
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-1.0, 1.0}) add_at_least({{i, s}, {j, t}, {column, s * t}}, -1);
+      add_at_least({{product(i, i), 1.0}, {product(j, j), 1.0}, {column, 2 * s}}, 0);
+    }
+  }
+
+  void write_equations() {
+    for (std::size_t k = 0; k < equations_.size(); ++k) {
       write_equation(k, first_equation_ + static_cast<int>(k));
+    }
   }
 
   void add_equation(const Equation& equation) {

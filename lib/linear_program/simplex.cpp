@@ -15,6 +15,8 @@ constexpr double kOptimality = 1e-10;
 constexpr double kSmallestPivot = 1e-8;
 /// How far two ways to compute a pivot may differ, relative to it, before the edges count as worn out.
 constexpr double kPivotAgreement = 1e-6;
+/// Residuals of multipliers below this are as good as none.
+constexpr double kExact = 1e-15;
 constexpr int kAttempts = 4;
 constexpr std::size_t kExchangesBeforeRebuild = 2000;
 
@@ -61,11 +63,22 @@ void Simplex::minimise(std::span<const LinearTerm> objective, LpSolution& soluti
     solution.ray = ray_;
     solution.basis = ray_basis_;
   }
-  solution.status = outcome == Walk::done         ? LpStatus::optimal
-                    : outcome == Walk::infeasible ? LpStatus::infeasible
-                    : outcome == Walk::inaccurate ? LpStatus::failed
-                                                  : LpStatus::iteration_limit;
+  solution.status = status_of(outcome);
   solution.iterations = iterations_;
+}
+
+LpStatus Simplex::status_of(Walk outcome) {
+  switch (outcome) {
+    case Walk::done:
+      return LpStatus::optimal;
+    case Walk::infeasible:
+      return LpStatus::infeasible;
+    case Walk::iteration_limit:
+      return LpStatus::iteration_limit;
+    case Walk::inaccurate:
+      break;
+  }
+  return LpStatus::failed;
 }
 
 /// A vertex on moved sides, whatever the objective: the objective is chosen so that the vertex there is
@@ -228,25 +241,15 @@ std::size_t Simplex::slot_to_leave(double direction) const {
 void Simplex::note_ray(std::size_t constraint, double direction) {
   write_basis(ray_basis_);
   std::vector<double> normal(program_.columns(), 0.0);
-  ray_.assign(program_.rows(), 0.0);
-  if (constraint < program_.columns()) {
-    normal[constraint] = direction;
-  } else {
-    const std::size_t row = constraint - program_.columns();
-    const auto columns = program_.row_columns(row);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      normal[static_cast<std::size_t>(columns[k])] = direction * program_.row_values(row)[k];
-    }
-  }
+  program_.add_normal(constraint, direction, normal);
   std::vector<double> combination(vertex_.edges().stride(), 0.0);
   for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) combination[slot] = direction * along_[slot];
   refine(normal, combination);
   write_multipliers(combination, ray_);
   for (double& multiplier : ray_) multiplier = -multiplier;
-  if (constraint >= program_.columns()) {
-    const std::size_t row = constraint - program_.columns();
-    ray_[row] += direction * program_.row_scale(row);
-  }
+  if (constraint < program_.columns()) return;
+  const std::size_t row = constraint - program_.columns();
+  ray_[row] += direction * program_.row_scale(row);
 }
 
 void Simplex::set_multipliers() {
@@ -272,21 +275,11 @@ void Simplex::set_random_multipliers() {
 void Simplex::refine(std::span<const double> normal, std::vector<double>& slot_multipliers) {
   std::copy(normal.begin(), normal.end(), residual_.begin());
   for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
-    const double multiplier = slot_multipliers[slot];
-    if (multiplier == 0) continue;
-    const std::size_t constraint = vertex_.constraint(slot);
-    if (constraint < program_.columns()) {
-      residual_[constraint] -= multiplier;
-      continue;
-    }
-    const auto columns = program_.row_columns(constraint - program_.columns());
-    const auto values = program_.row_values(constraint - program_.columns());
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      residual_[static_cast<std::size_t>(columns[k])] -= multiplier * values[k];
-    }
+    if (slot_multipliers[slot] == 0) continue;
+    program_.add_normal(vertex_.constraint(slot), -slot_multipliers[slot], residual_);
   }
   for (std::size_t j = 0; j < program_.columns(); ++j) {
-    if (std::abs(residual_[j]) < 1e-15) continue;
+    if (std::abs(residual_[j]) < kExact) continue;
     const double* coordinate = vertex_.edges().coordinate(j);
     for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
       slot_multipliers[slot] += residual_[j] * coordinate[slot];

@@ -43,6 +43,7 @@ class Simplex {
  private:
   enum class Walk { done, infeasible, iteration_limit, inaccurate };
 
+  static LpStatus status_of(Walk outcome);
   void start_over();
   Walk reach_feasibility();
   Walk solve_moved();

@@ -50,16 +50,22 @@ void SimplexProgram::make_structure(const LpModel& model) {
   row_scale_.assign(rows_, 1.0);
   row_start_.assign(1, 0);
   row_column_.clear();
-  column_start_.assign(columns_ + 1, 0);
   for (int i = 0; i < model.rows(); ++i) {
-    for (const int column : model.row_columns(i)) {
-      row_column_.push_back(column);
-      ++column_start_[at(column) + 1];
-    }
+    for (const int column : model.row_columns(i)) row_column_.push_back(column);
     row_start_.push_back(row_column_.size());
   }
-  for (std::size_t j = 0; j < columns_; ++j) column_start_[j + 1] += column_start_[j];
   row_value_.assign(row_column_.size(), 0.0);
+  sort_by_columns();
+  Random random(1, "simplex sides");
+  shift_.resize(stride_);
+  for (double& shift : shift_) shift = kShift * random.uniform(0.5, 1);
+}
+
+/// The place of every entry in the matrix by columns (counting sort).
+void SimplexProgram::sort_by_columns() {
+  column_start_.assign(columns_ + 1, 0);
+  for (const int column : row_column_) ++column_start_[at(column) + 1];
+  for (std::size_t j = 0; j < columns_; ++j) column_start_[j + 1] += column_start_[j];
   column_value_.assign(row_column_.size(), 0.0);
   column_row_.assign(row_column_.size(), 0);
   place_in_columns_.assign(row_column_.size(), 0);
@@ -70,9 +76,6 @@ void SimplexProgram::make_structure(const LpModel& model) {
       column_row_[place_in_columns_[k]] = static_cast<int>(i);
     }
   }
-  Random random(1, "simplex sides");
-  shift_.resize(stride_);
-  for (double& shift : shift_) shift = kShift * random.uniform(0.5, 1);
 }
 
 void SimplexProgram::copy_row(const LpModel& model, std::size_t row) {
@@ -97,6 +100,17 @@ void SimplexProgram::move_sides() {
     if (is_equation(k)) continue;
     moved_.lower[k] -= shift_[k];
     moved_.upper[k] += shift_[k];
+  }
+}
+
+void SimplexProgram::add_normal(std::size_t constraint, double factor, std::span<double> vector) const {
+  if (constraint < columns_) {
+    vector[constraint] += factor;
+    return;
+  }
+  const std::size_t row = constraint - columns_;
+  for (std::size_t k = row_start_[row]; k < row_start_[row + 1]; ++k) {
+    vector[at(row_column_[k])] += factor * row_value_[k];
   }
 }
 

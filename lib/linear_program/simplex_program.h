@@ -44,6 +44,9 @@ class SimplexProgram {
   /// What a multiplier of the scaled row is for the row as given.
   double row_scale(std::size_t row) const { return row_scale_[row]; }
 
+  /// vector += factor * (the normal of a constraint).
+  void add_normal(std::size_t constraint, double factor, std::span<double> vector) const;
+
   /// v[columns + i] = row i times the point v[0 .. columns).
   void fill_rows(double* v) const;
   /// The same for a sparse direction: rows that it does not meet become 0.
@@ -55,6 +58,7 @@ class SimplexProgram {
     return {all.data() + row_start_[row], row_start_[row + 1] - row_start_[row]};
   }
   void make_structure(const LpModel& model);
+  void sort_by_columns();
   void copy_row(const LpModel& model, std::size_t row);
   void move_sides();
 
