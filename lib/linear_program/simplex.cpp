@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "linear_program/simplex_kernel.h"
-
 namespace gcslab {
 namespace {
 
@@ -110,12 +108,20 @@ Simplex::Walk Simplex::solve_moved() {
   return outcome;
 }
 
-/// The optimum on true sides near the vertex found, which is still optimal for the objective if feasible.
+/// The optimum on true sides near the vertex found, which is still optimal for the objective if feasible. The
+/// walk goes on from the vertex on moved sides.
 Simplex::Walk Simplex::solve_true(LpSolution& solution) {
   const ConstraintSides& sides = program_.sides();
+  walk_values_.assign(vertex_.values(), vertex_.values() + program_.stride());
+  vertex_.place(program_, sides);
+  if (violation(sides).amount <= kFeasibility) {
+    refine(cost_, multiplier_);
+    write_vertex(solution);
+    vertex_.set_values(walk_values_);
+    return Walk::done;
+  }
   walk_ = vertex_;
   walk_multiplier_ = multiplier_;
-  vertex_.place(program_, sides);
   const Walk outcome = mend_violations(sides);
   if (outcome != Walk::infeasible) {
     refine(cost_, multiplier_);
@@ -123,7 +129,13 @@ Simplex::Walk Simplex::solve_true(LpSolution& solution) {
   }
   std::swap(vertex_, walk_);
   std::swap(multiplier_, walk_multiplier_);
+  vertex_.set_values(walk_values_);
   return outcome == Walk::inaccurate ? Walk::iteration_limit : outcome;
+}
+
+simplex_kernel::Violation Simplex::violation(const ConstraintSides& sides) const {
+  return simplex_kernel::largest_violation(vertex_.values(), sides.lower.data(), sides.upper.data(),
+                                           program_.stride());
 }
 
 // Primal: from vertex to vertex, downhill.
@@ -185,11 +197,10 @@ void Simplex::exchange(std::size_t slot, std::size_t constraint, double inward,
 
 Simplex::Walk Simplex::mend_violations(const ConstraintSides& sides) {
   while (iterations_ < options_.iteration_limit) {
-    const auto violation = simplex_kernel::largest_violation(vertex_.values(), sides.lower.data(),
-                                                             sides.upper.data(), program_.stride());
-    if (violation.amount <= kFeasibility) return Walk::done;
-    if (vertex_.slot_of(violation.constraint) != SimplexVertex::kFree) return Walk::inaccurate;
-    const Walk outcome = mend(violation.constraint, sides);
+    const simplex_kernel::Violation worst = violation(sides);
+    if (worst.amount <= kFeasibility) return Walk::done;
+    if (vertex_.slot_of(worst.constraint) != SimplexVertex::kFree) return Walk::inaccurate;
+    const Walk outcome = mend(worst.constraint, sides);
     if (outcome != Walk::done) return outcome;
     ++iterations_;
   }

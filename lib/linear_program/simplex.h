@@ -20,6 +20,7 @@
 
 #include "base/random.h"
 #include "linear_program/lp_solution.h"
+#include "linear_program/simplex_kernel.h"
 #include "linear_program/simplex_program.h"
 #include "linear_program/simplex_vertex.h"
 #include "linear_program/vertex_pool.h"
@@ -53,6 +54,7 @@ class Simplex {
   Walk step_along_edge(std::size_t slot, const ConstraintSides& sides);
   std::size_t steepest_edge() const;
 
+  simplex_kernel::Violation violation(const ConstraintSides& sides) const;
   Walk mend_violations(const ConstraintSides& sides);
   Walk mend(std::size_t constraint, const ConstraintSides& sides);
   std::size_t slot_to_leave(double direction) const;
@@ -72,7 +74,8 @@ class Simplex {
   SimplexOptions options_;
   SimplexProgram program_;
   SimplexVertex vertex_;
-  SimplexVertex walk_;  ///< the vertex on moved sides while one on true sides is sought
+  SimplexVertex walk_;               ///< the vertex on moved sides while one on true sides is sought
+  std::vector<double> walk_values_;  ///< its values there
   VertexPool pool_;
   bool feasible_ = false;
   bool infeasible_ = false;

@@ -40,6 +40,8 @@ class SimplexVertex {
   void along_edges(const SimplexProgram& program, std::size_t constraint, double* result) const;
   /// rate[k] = how fast the value of constraint k grows along an edge; exactly 0 for those that hold.
   void follow_edge(const SimplexProgram& program, std::size_t slot, double* rate) const;
+  /// Puts back values that `values` gave while the same constraints held the vertex.
+  void set_values(std::span<const double> values) { value_.assign(values.begin(), values.end()); }
   /// values += step * rate.
   void advance(const double* rate, double step);
   /// The slot's constraint goes from one side to the other.
