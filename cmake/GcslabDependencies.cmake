@@ -10,6 +10,12 @@ find_package(Eigen3 REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(GMPXX REQUIRED IMPORTED_TARGET gmpxx gmp)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp)
+find_path(GLPK_INCLUDE_DIR glpk.h REQUIRED)  # GLPK brings neither a CMake nor a pkg-config file
+find_library(GLPK_LIBRARY glpk REQUIRED)
+add_library(GLPK::GLPK UNKNOWN IMPORTED)
+set_target_properties(GLPK::GLPK PROPERTIES
+  IMPORTED_LOCATION ${GLPK_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${GLPK_INCLUDE_DIR})
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 if(GCSLAB_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -1,0 +1,140 @@
+#include "linear_program/simplex_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/random.h"
+
+namespace gcslab {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Sides nearer than this are one: the width of rounding, far below the tolerance of feasibility.
+constexpr double kEquationWidth = 1e-10;
+/// How far sides are moved: far above the tolerance of feasibility, far below what matters to a bound before
+/// it is computed from the true sides.
+constexpr double kShift = 1e-6;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+double power_of_two_scale(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+
+}  // namespace
+
+bool SimplexProgram::load(const LpModel& model) {
+  const bool known = structure_ == model.structure();
+  if (!known) make_structure(model);
+  for (std::size_t j = 0; j < columns_; ++j) {
+    const Interval& bounds = model.column(static_cast<int>(j));
+    sides_.lower[j] = bounds.lower;
+    sides_.upper[j] = bounds.upper;
+  }
+  for (std::size_t i = 0; i < rows_; ++i) copy_row(model, i);
+  move_sides();
+  return known;
+}
+
+void SimplexProgram::make_structure(const LpModel& model) {
+  structure_ = model.structure();
+  columns_ = at(model.columns());
+  rows_ = at(model.rows());
+  stride_ = (constraints() + 3) / 4 * 4;
+  sides_.lower.assign(stride_, -kInfinity);
+  sides_.upper.assign(stride_, kInfinity);
+  is_equation_.assign(stride_, 0);
+  row_scale_.assign(rows_, 1.0);
+  row_start_.assign(1, 0);
+  row_column_.clear();
+  for (int i = 0; i < model.rows(); ++i) {
+    for (const int column : model.row_columns(i)) row_column_.push_back(column);
+    row_start_.push_back(row_column_.size());
+  }
+  row_value_.assign(row_column_.size(), 0.0);
+  sort_by_columns();
+  Random random(1, "simplex sides");
+  shift_.resize(stride_);
+  for (double& shift : shift_) shift = kShift * random.uniform(0.5, 1);
+}
+
+/// The place of every entry in the matrix by columns (counting sort).
+void SimplexProgram::sort_by_columns() {
+  column_start_.assign(columns_ + 1, 0);
+  for (const int column : row_column_) ++column_start_[at(column) + 1];
+  for (std::size_t j = 0; j < columns_; ++j) column_start_[j + 1] += column_start_[j];
+  column_value_.assign(row_column_.size(), 0.0);
+  column_row_.assign(row_column_.size(), 0);
+  place_in_columns_.assign(row_column_.size(), 0);
+  std::vector<std::size_t> next(column_start_.begin(), column_start_.end());
+  for (std::size_t i = 0; i < rows_; ++i) {
+    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
+      place_in_columns_[k] = next[at(row_column_[k])]++;
+      column_row_[place_in_columns_[k]] = static_cast<int>(i);
+    }
+  }
+}
+
+void SimplexProgram::copy_row(const LpModel& model, std::size_t row) {
+  const auto values = model.row_midpoints(static_cast<int>(row));
+  const Interval& sides = model.sides(static_cast<int>(row));
+  const double scale = power_of_two_scale(values);
+  row_scale_[row] = scale;
+  sides_.lower[columns_ + row] = scale * sides.lower;
+  sides_.upper[columns_ + row] = scale * sides.upper;
+  std::size_t entry = row_start_[row];
+  for (const double value : values) {
+    row_value_[entry] = scale * value;
+    column_value_[place_in_columns_[entry]] = scale * value;
+    ++entry;
+  }
+}
+
+void SimplexProgram::move_sides() {
+  moved_ = sides_;
+  for (std::size_t k = 0; k < constraints(); ++k) {
+    is_equation_[k] = sides_.upper[k] - sides_.lower[k] <= kEquationWidth ? 1 : 0;
+    if (is_equation(k)) continue;
+    moved_.lower[k] -= shift_[k];
+    moved_.upper[k] += shift_[k];
+  }
+}
+
+void SimplexProgram::add_normal(std::size_t constraint, double factor, std::span<double> vector) const {
+  if (constraint < columns_) {
+    vector[constraint] += factor;
+    return;
+  }
+  const std::size_t row = constraint - columns_;
+  for (std::size_t k = row_start_[row]; k < row_start_[row + 1]; ++k) {
+    vector[at(row_column_[k])] += factor * row_value_[k];
+  }
+}
+
+void SimplexProgram::fill_rows(double* v) const {
+  for (std::size_t i = 0; i < rows_; ++i) {
+    double total = 0;
+    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
+      total += row_value_[k] * v[row_column_[k]];
+    }
+    v[columns_ + i] = total;
+  }
+}
+
+void SimplexProgram::fill_rows_of_sparse(double* v) const {
+  double* rows = v + columns_;
+  const int* row = column_row_.data();
+  const double* coefficient = column_value_.data();
+  std::fill_n(rows, rows_, 0.0);
+  for (std::size_t j = 0; j < columns_; ++j) {
+    const double value = v[j];
+    if (value == 0) continue;
+    const std::size_t end = column_start_[j + 1];
+    for (std::size_t k = column_start_[j]; k < end; ++k) rows[row[k]] += coefficient[k] * value;
+  }
+}
+
+}  // namespace gcslab
