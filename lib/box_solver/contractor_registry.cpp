@@ -2,6 +2,7 @@
 
 #include "box_solver/fixpoint_contractor.h"
 #include "box_solver/hull_contractor.h"
+#include "box_solver/lp_reduction_contractor.h"
 #include "box_solver/multiplier_contractor.h"
 
 namespace gcslab {
@@ -19,6 +20,10 @@ Made make_multipliers(const SystemFunctions& functions, const ContractorSettings
   return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
     return make_multiplier_contractor<T>(functions, {.bits = settings.bits});
   });
+}
+
+Made make_lp_reduction(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return make_lp_reduction_contractor(functions, settings.lp, lp_safety_from_name(settings.lp_safety));
 }
 
 std::vector<std::string> split_at_plus(const std::string& text) {
@@ -46,6 +51,9 @@ const Registry<ContractorVariant>& contractor_registry() {
           {"multipliers",
            "for each variable the least-squares combination of the expanded equations, solved for it",
            &make_multipliers},
+          {"lp_reduction",
+           "least and largest value of each variable over the Bernstein polytope (Tahari 2011, section 5)",
+           &make_lp_reduction},
       });
   return registry;
 }

@@ -19,6 +19,8 @@ struct ContractorSettings {
   Arithmetic arithmetic = Arithmetic::fast;
   int bits = 53;                   ///< of the arithmetic `mpfr`
   double propagation_ratio = 0.1;  ///< a change of a side below this part of it wakes no function
+  std::string lp = "simplex";      ///< the solver of linear programs
+  std::string lp_safety = "dual";  ///< what is believed of its answers
   double fixpoint_ratio = 0.2;     ///< a round is repeated while it shrinks some side by this part
 };
 

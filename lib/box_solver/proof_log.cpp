@@ -20,6 +20,8 @@ std::string_view word_of(Argument argument) {
       return "expansion_row";
     case Argument::square_row:
       return "square_row";
+    case Argument::polytope:
+      return "polytope";
     case Argument::mean_value_row:
       break;
   }
@@ -39,6 +41,14 @@ void write_number(std::ostream& out, double value) {
   }
   const auto result = std::to_chars(start, text.data() + text.size(), size + 0.0, std::chars_format::hex);
   out.write(text.data(), result.ptr - text.data());
+}
+
+void write_monomial(std::ostream& out, const std::vector<std::uint32_t>& variables) {
+  char separator = ' ';
+  for (const std::uint32_t variable : variables) {
+    out << separator << variable;
+    separator = '*';
+  }
 }
 
 void write_interval(std::ostream& out, const Interval& x) {
@@ -86,6 +96,13 @@ void ProofLog::write_step(const ProofStep& step) {
     write_interval(*out_, step.result);
   }
   for (const double multiplier : step.multipliers) write_number(*out_, multiplier);
+  if (step.argument == Argument::polytope) *out_ << " ;";
+  for (const ProductMultiplier& product : step.products) {
+    write_monomial(*out_, product.first);
+    write_monomial(*out_, product.second);
+    *out_ << ' ' << product.s << ' ' << product.t;
+    write_number(*out_, product.multiplier);
+  }
   *out_ << '\n';
 }
 

@@ -13,6 +13,13 @@
 //     expansion                      expansions are about the midpoint of the box as it is now
 //     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
 //     square_row V LO HI C ...       the same, solved for the square of z_V
+//     polytope V LO HI C ... ; A B S T M ...
+//                                    with f_k about the midpoint at `expansion`, in the scaled z of [-1,
+//                                    1]^n:
+//                                    +-z_V - sum C_k f_k - sum M (1 + S z^A) (1 + T z^B) (T = 0: M (z^A + S
+//                                    z^B)^2), bounded monomial by monomial, gives the end that moved; + for
+//                                    LO, - for HI; without z_V, a positive bound shows "empty". A and B are
+//                                    variables joined by *
 //     mean_value_row V LO HI C ...
 //                                    "empty" in place of LO HI: no root in the box
 //   and how it ended:

@@ -20,7 +20,16 @@ enum class Argument : std::uint8_t {
   expansion,           ///< from here on, expansions are about the midpoint of the box as it is now
   expansion_row,       ///< the expansion of sum multipliers[k] f_k, solved for the variable
   square_row,          ///< the expansion of sum multipliers[k] f_k, solved for the square of the variable
-  mean_value_row,      ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
+  polytope,        ///< products of bound factors and equations, summed with multipliers, bound the variable
+  mean_value_row,  ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
+};
+
+/// A product of bound factors of z in [-1, 1]^n with its multiplier, which is not negative: (1 + s z^first)
+/// (1 + t z^second), each monomial as its variables with repetition; t = 0: (z^first + s z^second)^2.
+struct ProductMultiplier {
+  std::vector<std::uint32_t> first, second;
+  int s, t;
+  double multiplier;
 };
 
 struct ProofStep {
@@ -29,6 +38,7 @@ struct ProofStep {
   std::uint32_t variable = 0;
   Interval result{};  ///< of the variable; empty: the box has no root
   std::vector<double> multipliers{};
+  std::vector<ProductMultiplier> products{};  ///< of `polytope`
 };
 
 /// Collects the steps taken on one box, when somebody wants them.

@@ -1,5 +1,7 @@
 #include "box_solver/solver_method.h"
 
+#include "linear_program/lp_registry.h"
+
 namespace gcslab {
 
 std::vector<OptionSpec> SolverMethod::options() const {
@@ -12,6 +14,9 @@ std::vector<OptionSpec> SolverMethod::options() const {
           contractor},
       choice_option("arithmetic", "the interval arithmetic of the contractors", "fast", arithmetics),
       integer_option("bits", "precision of the arithmetic mpfr", "bits", 128, 24, 100'000),
+      choice_option("lp", "the solver of linear programs", "simplex", lp_registry().names()),
+      choice_option("lp_safety", "what is believed of its answers; tolerance and unprotected are baselines",
+                    "dual", {"dual", "exact", "tolerance", "unprotected"}),
       choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
                     bisection_registry().names()),
       choice_option("order", "which box is taken next", "depth_first", {"depth_first", "best_first"}),
@@ -31,17 +36,22 @@ std::vector<OptionSpec> SolverMethod::options() const {
 }
 
 Promise SolverMethod::promise(const Options& options) {
+  const bool uses_lp = options.word("contractor").find("lp_reduction") != std::string::npos;
+  const std::string& safety = options.word("lp_safety");
+  if (uses_lp && (safety == "tolerance" || safety == "unprotected")) return Promise::baseline;
   return promise_of(arithmetic_from_name(options.word("arithmetic")));
 }
 
 // A new method is one line here.
 const Registry<SolverMethod>& solver_method_registry() {
   static const Registry<SolverMethod> registry(
-      "method", {
-                    {"adaptive", "hull consistency, then least-squares multipliers, repeated while they gain",
-                     1, "hull+multipliers"},
-                    {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
-                });
+      "method",
+      {
+          {"adaptive", "hull consistency, then least-squares multipliers, repeated while they gain", 1,
+           "hull+multipliers"},
+          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 1, "lp_reduction"},
+          {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
+      });
   return registry;
 }
 
@@ -49,6 +59,8 @@ ContractorMaker contractor_maker(const Options& options) {
   ContractorSettings settings;
   settings.arithmetic = arithmetic_from_name(options.word("arithmetic"));
   settings.bits = static_cast<int>(options.integer("bits"));
+  settings.lp = options.word("lp");
+  settings.lp_safety = options.word("lp_safety");
   settings.propagation_ratio = options.real("propagation_ratio");
   settings.fixpoint_ratio = options.real("fixpoint_ratio");
   return [settings, composition = options.word("contractor")](const SystemFunctions& functions, int bits) {

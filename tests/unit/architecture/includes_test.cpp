@@ -27,7 +27,7 @@ const Table& allowed() {
       {"enclosure", {"polynomial"}},
       {"covering", {"enclosure"}},
       {"certification", {"enclosure"}},
-      {"box_solver", {"certification"}},
+      {"box_solver", {"certification", "linear_program"}},
       {"experiments/corpus", {"covering"}},
       {"experiments/solving", {"experiments/corpus", "box_solver"}},
       {"experiments/tasks", {"experiments/solving"}},

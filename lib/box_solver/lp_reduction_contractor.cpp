@@ -1,0 +1,131 @@
+#include "box_solver/lp_reduction_contractor.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "box_solver/polytope.h"
+#include "interval/fast_interval.h"
+#include "linear_program/lp_registry.h"
+
+namespace gcslab {
+namespace {
+
+Expansion<FastInterval> made_in_scope(const ExpansionPlan& plan) {
+  const NumberTraits<FastInterval>::Scope scope;
+  return Expansion<FastInterval>(plan);
+}
+
+class LpReductionContractor final : public Contractor {
+ public:
+  LpReductionContractor(const SystemFunctions& functions, const std::string& backend, LpSafety safety)
+      : plan_(functions),
+        expansion_(made_in_scope(plan_)),
+        polytope_(plan_),
+        backend_(lp_registry().at(backend).make_with()),
+        options_{.safety = safety, .negligible_gain = 1e-3} {}
+
+  bool contract(Box& box, ProofTrace& trace) override {
+    if (!std::ranges::all_of(box, is_bounded)) return true;
+    {
+      const NumberTraits<FastInterval>::Scope scope;
+      expansion_.expand(box);
+    }
+    polytope_.refill(expansion_);
+    trace.add({Argument::expansion});
+    options_.keep_certificates = trace.wanted();
+    LpReduction reduction(*backend_, options_);
+    const LpReductionResult& result =
+        reduction.reduce(polytope_.model(), both_sides(static_cast<int>(box.size())));
+    if (result.infeasible) {
+      tell_empty(result.ray, trace);
+      return false;
+    }
+    return take_over(result, box, trace);
+  }
+
+ private:
+  bool take_over(const LpReductionResult& result, Box& box, ProofTrace& trace) {
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const Interval z = result.bounds[i];
+      const Interval side = is_empty(z) ? Interval::empty() : intersection(box[i], unscaled(i, z));
+      tell_sides(i, side, result, box[i], trace);
+      if (is_empty(side)) return false;
+      box[i] = side;
+    }
+    return true;
+  }
+
+  /// m_i + r_i z.
+  Interval unscaled(std::size_t i, const Interval& z) const {
+    const NumberTraits<FastInterval>::Scope scope;
+    const FastInterval x =
+        FastInterval(expansion_.midpoints()[i]) + FastInterval(expansion_.radii()[i]) * FastInterval(z);
+    return x.interval();
+  }
+
+  /// One step for each end that moved.
+  void tell_sides(std::size_t i, const Interval& side, const LpReductionResult& result, Interval before,
+                  ProofTrace& trace) const {
+    if (!trace.wanted() || side == before) return;
+    for (const BoundCertificate& certificate : result.certificates) {
+      if (certificate.goal.column != static_cast<int>(i)) continue;
+      if (certificate.goal.side == BoundSide::lower) before.lower = std::max(before.lower, side.lower);
+      if (certificate.goal.side == BoundSide::upper) before.upper = std::min(before.upper, side.upper);
+      ProofStep step{Argument::polytope, 0, static_cast<std::uint32_t>(i), is_empty(side) ? side : before};
+      step.multipliers.assign(equations(), 0);
+      for (const auto& [row, multiplier] : certificate.multipliers) add_row(row, multiplier, step);
+      trace.add(std::move(step));
+    }
+  }
+
+  void tell_empty(const std::vector<double>& ray, ProofTrace& trace) const {
+    if (!trace.wanted()) return;
+    ProofStep step{Argument::polytope};
+    step.multipliers.assign(equations(), 0);
+    for (std::size_t row = 0; row < ray.size(); ++row) add_row(static_cast<int>(row), ray[row], step);
+    trace.add(std::move(step));
+  }
+
+  void add_row(int row, double multiplier, ProofStep& step) const {
+    const auto number = static_cast<std::size_t>(row);
+    if (number < equations()) {
+      step.multipliers[number] = multiplier * polytope_.scale(number);
+    } else if (multiplier > 0) {  // others ask for a side that is not there, and count as 0
+      const ProductRow& product = polytope_.products()[number - equations()];
+      step.products.push_back(
+          {variables_of(product.first), variables_of(product.second), product.s, product.t, multiplier});
+    }
+  }
+
+  std::vector<std::uint32_t> variables_of(std::size_t column) const {
+    std::vector<std::uint32_t> result;
+    for (const auto& [variable, power] : plan_.columns()[column].factors)
+      result.insert(result.end(), static_cast<std::size_t>(power), variable);
+    return result;
+  }
+
+  std::size_t equations() const { return plan_.functions().equations().size(); }
+
+  ExpansionPlan plan_;
+  Expansion<FastInterval> expansion_;
+  BernsteinPolytope polytope_;
+  std::unique_ptr<LpBackend> backend_;
+  LpReductionOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contractor> make_lp_reduction_contractor(const SystemFunctions& functions,
+                                                         const std::string& backend, LpSafety safety) {
+  return std::make_unique<LpReductionContractor>(functions, backend, safety);
+}
+
+LpSafety lp_safety_from_name(const std::string& name) {
+  if (name == "dual") return LpSafety::dual;
+  if (name == "exact") return LpSafety::exact;
+  if (name == "tolerance") return LpSafety::tolerance;
+  if (name == "unprotected") return LpSafety::unprotected;
+  throw InputError("lp_safety is '" + name + "'; expected one of dual, exact, tolerance, unprotected");
+}
+
+}  // namespace gcslab

@@ -1,0 +1,56 @@
+#pragma once
+
+// The Bernstein polytope of a box as a linear program (Tahari 2011, section 5; a reformulation-linearisation
+// in the sense of Sherali and Adams 1990).
+//
+// One LP column for each monomial of the expansion of the system about the box (expansion.h), in the scaled
+// variables z of [-1, 1]^n. Rows: each expanded equation; for every product column z^a z^b of two others, the
+// four products (1 +- z^a)(1 +- z^b) >= 0; for every square (1 +- z^a)^2 >= 0; and, where all three columns
+// occur, the complements (z_i +- z_j)^2 >= 0.
+//
+// Promise: every root of the system in the box stands for a feasible point of the model.
+
+#include <vector>
+
+#include "box_solver/expansion.h"
+#include "interval/fast_interval.h"
+#include "linear_program/lp_model.h"
+
+namespace gcslab {
+
+/// (1 + s z^first)(1 + t z^second) >= 0, columns by number; with t = 0: (z_first + s z_second)^2 >= 0.
+struct ProductRow {
+  std::size_t first, second;
+  int s, t;
+};
+
+class BernsteinPolytope {
+ public:
+  /// `plan` must outlive it.
+  explicit BernsteinPolytope(const ExpansionPlan& plan);
+
+  /// Writes the equations of an expansion about the box that the z scale; only numbers change.
+  void refill(const Expansion<FastInterval>& expansion);
+
+  const LpModel& model() const { return model_; }
+  /// The factor by which equation k was multiplied in its row, which is row k.
+  double scale(std::size_t equation) const { return scales_[equation]; }
+  /// What the rows after the equations say, in their order.
+  const std::vector<ProductRow>& products() const { return meanings_; }
+
+ private:
+  void add_columns();
+  void add_equations();
+  void add_products();
+  void add_complements();
+  void add_row(const ProductRow& meaning, const std::vector<LinearTerm>& terms, double least);
+  int column_of_product(std::size_t first, std::size_t second) const;
+
+  const ExpansionPlan* plan_;
+  LpModel model_;
+  std::vector<ProductRow> meanings_;
+  std::vector<double> scales_;
+  std::vector<Interval> coefficients_;
+};
+
+}  // namespace gcslab
