@@ -51,6 +51,7 @@ const LpSolution& LpBackend::minimise(std::span<const LinearTerm> objective) {
 
 double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
                     std::span<const double> multipliers) {
+  GCSLAB_CHECK(multipliers.size() == static_cast<std::size_t>(model.rows()));
   std::vector<double> rest(static_cast<std::size_t>(model.columns()), 0.0);
   for (const LinearTerm& term : objective) {
     rest[static_cast<std::size_t>(term.column)] += midpoint(term.coefficient);
@@ -97,6 +98,7 @@ std::vector<double> single_row_ray(const LpModel& model) {
 }
 
 void orient_ray(const LpModel& model, std::vector<double>& ray) {
+  if (ray.empty()) return;
   std::vector<double> negated(ray.size());
   std::transform(ray.begin(), ray.end(), negated.begin(), [](double value) { return -value; });
   if (unsafe_bound(model, {}, negated) > unsafe_bound(model, {}, ray)) ray.swap(negated);

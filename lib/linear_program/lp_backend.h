@@ -2,8 +2,8 @@
 
 // One interface for linear programming solvers: several objectives over one polytope, again and again.
 //
-// A backend belongs to the thread that made it, and computes in round to nearest: both are checked at every
-// call. Its answers are suggestions (lp_solution.h).
+// A backend is made, used and destroyed by one thread, and computes in round to nearest: both are checked at
+// every call. Its answers are suggestions (lp_solution.h).
 
 #include <span>
 #include <thread>
@@ -50,7 +50,8 @@ double unsafe_bound(const LpModel& model, std::span<const LinearTerm> objective,
 /// see such a row before they start and give no reason.
 std::vector<double> single_row_ray(const LpModel& model);
 
-/// The multipliers, or their negatives if those claim more: for solvers whose rays have no settled sign.
+/// The multipliers, or their negatives if those claim more; an empty ray stays so. For solvers whose rays
+/// have no settled sign.
 void orient_ray(const LpModel& model, std::vector<double>& ray);
 
 }  // namespace gcslab

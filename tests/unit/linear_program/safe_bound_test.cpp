@@ -49,6 +49,22 @@ TEST(SafeBound, LiesJustBelowTheExactBoundOfTheSameMultipliers) {
   }
 }
 
+TEST(SafeBound, OverflowOnlyLoosensIt) {
+  Random random(fuzz_seed(), "overflow");
+  int finite = 0;
+  for (std::size_t i = 0; i < fuzz_cases(2000); ++i) {
+    const ProgramWithPoint program = random_interval_program(random);
+    std::vector<double> multipliers = random_multipliers(random, program.model);
+    for (double& y : multipliers) y = std::ldexp(y, static_cast<int>(random.integer(-1070, 1023)));
+    const double safe = safe_lower_bound(program.model, program.objective, multipliers);
+    ASSERT_FALSE(proves_infeasible(program.model, multipliers));
+    if (safe == -kInfinity) continue;
+    ++finite;
+    ASSERT_LE(rational_from_double(safe), value_at(program.objective, program.point, false));
+  }
+  EXPECT_GT(finite, 0);
+}
+
 TEST(SafeBound, HoldsAtEveryFeasiblePointForAnyMultipliers) {
   Random random(fuzz_seed(), "feasible points");
   for (std::size_t i = 0; i < fuzz_cases(10000); ++i) {
