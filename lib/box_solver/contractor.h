@@ -2,6 +2,7 @@
 
 // Contractors shrink a box without losing a root: the exchangeable parts of branch and prune.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,10 +13,20 @@
 
 namespace gcslab {
 
-/// A contractor belongs to one thread. It keeps no memory of earlier boxes that its result depends on.
+/// What a composition knows from the boxes above in the search tree: which of its dear parts paid.
+using ContractorMemory = std::uint32_t;
+
+/// A contractor belongs to one thread. Its result depends on the box and, for compositions, on the memory
+/// handed down from the box above, but on nothing else.
 class Contractor {
  public:
   virtual ~Contractor() = default;
+
+  /// The rough number of arithmetic operations of a call, for weighing one contractor against another.
+  virtual double cost() const = 0;
+  /// Before `contract`: the memory of the box above. After it: what to hand down.
+  virtual void recall(ContractorMemory) {}
+  virtual ContractorMemory memory() const { return 0; }
 
   /// Shrinks `box`, which is bounded or not, but not empty. Promise: every solution of the system in the box
   /// before is in the box after. False means that there is none; the box is then without meaning. Each

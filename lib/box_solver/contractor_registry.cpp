@@ -61,9 +61,12 @@ const Registry<ContractorVariant>& contractor_registry() {
 std::unique_ptr<Contractor> make_contractor(const std::string& composition, const SystemFunctions& functions,
                                             const ContractorSettings& settings) {
   constexpr int kMaximumRounds = 50;
-  std::vector<std::unique_ptr<Contractor>> parts;
-  for (const std::string& name : split_at_plus(composition))
-    parts.push_back(contractor_registry().at(name).make(functions, settings));
+  std::vector<CompositionPart> parts;
+  for (std::string name : split_at_plus(composition)) {
+    const bool is_dear = name.ends_with('?');
+    if (is_dear) name.pop_back();
+    parts.push_back({contractor_registry().at(name).make(functions, settings), is_dear});
+  }
   return make_fixpoint_contractor(std::move(parts), settings.fixpoint_ratio, kMaximumRounds);
 }
 

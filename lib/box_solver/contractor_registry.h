@@ -34,7 +34,8 @@ struct ContractorVariant {
 const Registry<ContractorVariant>& contractor_registry();
 
 /// Makes a composition: names joined by '+' are applied in turn, and again to a fixpoint, such as
-/// "hull+multipliers". Throws InputError for an unknown name, NotApplicable as above.
+/// "hull+multipliers+lp_reduction?"; one with '?' only when the others stall, and where it has paid. Throws
+/// InputError for an unknown name, NotApplicable as above.
 std::unique_ptr<Contractor> make_contractor(const std::string& composition, const SystemFunctions& functions,
                                             const ContractorSettings& settings);
 

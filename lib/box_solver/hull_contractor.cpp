@@ -24,6 +24,7 @@ class HullFunction {
   }
 
   const std::vector<std::size_t>& variables() const { return function_->variables; }
+  double operations() const { return 4.0 * static_cast<double>(function_->tape.instructions().size()); }
   const T& variable(std::size_t i) const { return registers_[i]; }
 
   /// Values of all registers over the box, then the same cut down to what the target leaves of them. False:
@@ -208,6 +209,12 @@ class HullContractor final : public Contractor {
       for (const std::size_t i : functions_[k].variables()) users_[i].push_back(k);
     }
     waiting_.resize(functions_.size());
+  }
+
+  double cost() const override {
+    double operations = 0;
+    for (const HullFunction<T>& function : functions_) operations += function.operations();
+    return 3 * operations;  // propagated about three times, forth and back
   }
 
   bool contract(Box& box, ProofTrace& trace) override {

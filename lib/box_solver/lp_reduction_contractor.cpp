@@ -24,6 +24,16 @@ class LpReductionContractor final : public Contractor {
         backend_(lp_registry().at(backend).make_with()),
         options_{.safety = safety, .negligible_gain = 1e-3} {}
 
+  /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse and
+  /// prices the rows, in plain vector arithmetic.
+  double cost() const override {
+    constexpr double kStepsPerColumn = 0.5;
+    constexpr double kVectorised = 0.1;
+    const double columns = polytope_.model().columns();
+    const double step = columns * columns + static_cast<double>(polytope_.model().entries());
+    return kVectorised * 2 * static_cast<double>(box_variables()) * kStepsPerColumn * columns * step;
+  }
+
   bool contract(Box& box, ProofTrace& trace) override {
     if (!std::ranges::all_of(box, is_bounded)) return true;
     {
@@ -104,6 +114,7 @@ class LpReductionContractor final : public Contractor {
     return result;
   }
 
+  std::size_t box_variables() const { return plan_.functions().variables(); }
   std::size_t equations() const { return plan_.functions().equations().size(); }
 
   ExpansionPlan plan_;

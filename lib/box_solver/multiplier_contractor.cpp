@@ -18,6 +18,13 @@ class MultiplierContractor final : public Contractor {
   MultiplierContractor(const SystemFunctions& functions, const MultiplierOptions& options)
       : options_(options), plan_(functions), parts_(made(plan_, options)) {}
 
+  /// A combination and its solution for each variable, and the factorisation.
+  double cost() const override {
+    const auto n = static_cast<double>(plan_.functions().variables());
+    const auto m = static_cast<double>(plan_.functions().equations().size());
+    return (3 * n + m * m) * static_cast<double>(plan_.columns().size());
+  }
+
   bool contract(Box& box, ProofTrace& trace) override {
     for (const Interval& side : box) {
       if (!is_bounded(side)) return true;

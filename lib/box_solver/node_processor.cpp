@@ -63,10 +63,12 @@ NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<Exc
   outcome.trace = ProofTrace(options_->proof != nullptr);
   outcome.box = node.box;
   if (is_excluded(outcome, exclusions)) return outcome;
+  contractor_->recall(node.memory);
   if (!contractor_->contract(outcome.box, outcome.trace)) {
     outcome.kind = NodeOutcome::Kind::empty;
     return outcome;
   }
+  outcome.memory = contractor_->memory();
   if (is_excluded(outcome, exclusions)) return outcome;
   find_root(outcome);
   if (!outcome.found && !escalate(outcome)) {

@@ -18,7 +18,8 @@ struct SearchNode {
   std::uint64_t id = 0;
   Box box;
   std::size_t last_variable = 0;
-  double share = 0;    ///< of the whole search
+  double share = 0;  ///< of the whole search
+  ContractorMemory memory = 0;
   int stuck = 0;       ///< how many of the last cuts on the way here gained nothing at the highest precision
   double measure = 0;  ///< best-first: larger is taken first
 };
@@ -42,6 +43,7 @@ struct NodeOutcome {
   std::optional<CertifiedRoot> found;  ///< a root proved here, in the box or near it
   std::size_t root = 0;                ///< covered: the number of the root, when `found` is empty
   Cut cut{};
+  ContractorMemory memory = 0;
   int stuck = 0;       ///< of the two parts
   std::string reason;  ///< undecided: why
   ProofTrace trace;

@@ -154,8 +154,8 @@ class Search {
     ++result_.statistics.bisections;
     const auto [variable, point] = outcome.cut;
     if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
-    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.stuck};
-    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.stuck};
+    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.memory, outcome.stuck};
+    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.memory, outcome.stuck};
     lower.box[variable].upper = point;
     upper.box[variable].lower = point;
     push(std::move(upper));

@@ -47,8 +47,10 @@ const Registry<SolverMethod>& solver_method_registry() {
   static const Registry<SolverMethod> registry(
       "method",
       {
-          {"adaptive", "hull consistency, then least-squares multipliers, repeated while they gain", 1,
-           "hull+multipliers"},
+          {"adaptive",
+           "hull consistency and least-squares multipliers while they gain; linear programs where they have "
+           "paid",
+           1, "hull+multipliers+lp_reduction?"},
           {"lp_reduction", "linear programs over the Bernstein polytope of the box", 1, "lp_reduction"},
           {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
       });
