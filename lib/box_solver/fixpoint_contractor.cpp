@@ -50,7 +50,7 @@ class Records {
     constexpr unsigned kMostFailures = 3;
     Record& record = records_[part];
     record.failures = has_paid ? 0 : std::min(record.failures + 1, kMostFailures);
-    record.waiting = (1U << (2 * record.failures)) - 1;
+    record.waiting = record.failures == 0 ? 0 : (1U << (2 * record.failures - 1)) - 1;
   }
 
  private:
@@ -97,7 +97,7 @@ class FixpointContractor final : public Contractor {
   }
 
  private:
-  static constexpr double kHopeless = 7;  ///< no contraction saves that many halvings again and again
+  static constexpr double kHopeless = 9;  ///< no contraction saves that many halvings again and again
 
   bool apply_cheap(Box& box, ProofTrace& trace, int& rounds) {
     do {

@@ -15,7 +15,7 @@ struct CompositionPart {
 ///
 /// A dear part is called only where it has paid: on the boxes above it saved at least as many halvings as the
 /// logarithm of its cost relative to the other parts. Where it did not it is
-/// left out for 3, 15, 63 levels of the search tree. What decides is handed down in the contractor's
+/// left out for 1, 7, 31 levels of the search tree. What decides is handed down in the contractor's
 /// memory, so that it does not depend on the order of the search.
 std::unique_ptr<Contractor> make_fixpoint_contractor(std::vector<CompositionPart> parts, double ratio,
                                                      int maximum_rounds);

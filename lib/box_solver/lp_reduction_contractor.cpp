@@ -1,6 +1,7 @@
 #include "box_solver/lp_reduction_contractor.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "box_solver/polytope.h"
@@ -20,17 +21,16 @@ class LpReductionContractor final : public Contractor {
   LpReductionContractor(const SystemFunctions& functions, const std::string& backend, LpSafety safety)
       : plan_(functions),
         expansion_(made_in_scope(plan_)),
-        polytope_(plan_),
         backend_(lp_registry().at(backend).make_with()),
         options_{.safety = safety, .negligible_gain = 1e-3} {}
 
-  /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse and
-  /// prices the rows, in plain vector arithmetic.
+  /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse, in
+  /// plain vector arithmetic.
   double cost() const override {
-    constexpr double kStepsPerColumn = 0.5;
+    constexpr double kStepsPerColumn = 2;
     constexpr double kVectorised = 0.1;
-    const double columns = polytope_.model().columns();
-    const double step = columns * columns + static_cast<double>(polytope_.model().entries());
+    const auto columns = static_cast<double>(plan_.columns().size());
+    const double step = columns * columns;
     return kVectorised * 2 * static_cast<double>(box_variables()) * kStepsPerColumn * columns * step;
   }
 
@@ -40,12 +40,13 @@ class LpReductionContractor final : public Contractor {
       const NumberTraits<FastInterval>::Scope scope;
       expansion_.expand(box);
     }
-    polytope_.refill(expansion_);
+    if (!polytope_) polytope_.emplace(plan_);
+    polytope_->refill(expansion_);
     trace.add({Argument::expansion});
     options_.keep_certificates = trace.wanted();
     LpReduction reduction(*backend_, options_);
     const LpReductionResult& result =
-        reduction.reduce(polytope_.model(), both_sides(static_cast<int>(box.size())));
+        reduction.reduce(polytope_->model(), both_sides(static_cast<int>(box.size())));
     if (result.infeasible) {
       tell_empty(result.ray, trace);
       return false;
@@ -99,9 +100,9 @@ class LpReductionContractor final : public Contractor {
   void add_row(int row, double multiplier, ProofStep& step) const {
     const auto number = static_cast<std::size_t>(row);
     if (number < equations()) {
-      step.multipliers[number] = multiplier * polytope_.scale(number);
+      step.multipliers[number] = multiplier * polytope_->scale(number);
     } else if (multiplier > 0) {  // others ask for a side that is not there, and count as 0
-      const ProductRow& product = polytope_.products()[number - equations()];
+      const ProductRow& product = polytope_->products()[number - equations()];
       step.products.push_back(
           {variables_of(product.first), variables_of(product.second), product.s, product.t, multiplier});
     }
@@ -119,7 +120,7 @@ class LpReductionContractor final : public Contractor {
 
   ExpansionPlan plan_;
   Expansion<FastInterval> expansion_;
-  BernsteinPolytope polytope_;
+  std::optional<BernsteinPolytope> polytope_;  ///< made when first needed
   std::unique_ptr<LpBackend> backend_;
   LpReductionOptions options_;
 };
