@@ -19,11 +19,12 @@ T number(double value) {
   return NumberTraits<T>::from_interval(Interval(value));
 }
 
-/// Encloses {a z + q z^2 : z in `z`}: by its ends where it is monotone, with its vertex elsewhere.
+/// Encloses {a z + q z^2 : z in `z`}: by its ends where it is monotone, with its vertex elsewhere. The ends
+/// are doubles around those of z, so that it must be monotone as far as they reach.
 template <class T>
 T quadratic_range(const T& a, const T& q, const T& z) {
-  const T slope = a + number<T>(2) * q * z;
   const Interval side = NumberTraits<T>::enclosure(z);
+  const T slope = a + number<T>(2) * q * NumberTraits<T>::from_interval(side);
   const auto value_at = [&](double end) {
     const T point = number<T>(end);
     return point * (a + q * point);

@@ -8,19 +8,9 @@
 
 #include "box_solver/expansion.h"
 #include "interval/reverse_operations.h"
+#include "interval/scaled.h"
 
 namespace gcslab {
-
-/// multiplier * x for a thin multiplier.
-inline FastInterval scaled(double multiplier, FastInterval x) {
-  const __m128d ends = multiplier < 0 ? fast_detail::swapped(x.raw()) : x.raw();
-  const double size = multiplier < 0 ? -multiplier : multiplier;
-  return FastInterval::from_raw(opaque(_mm_mul_pd(opaque(ends), _mm_set1_pd(size))));
-}
-template <class T>
-T scaled(double multiplier, const T& x) {
-  return NumberTraits<T>::from_interval(Interval(multiplier)) * x;
-}
 
 /// The sum multipliers[k] f_k as an expansion in dense columns, and its solution for a variable.
 template <class T>

@@ -22,8 +22,8 @@ class Contractor {
  public:
   virtual ~Contractor() = default;
 
-  /// The rough number of arithmetic operations of a call, for weighing one contractor against another; 0: next
-  /// to nothing.
+  /// The rough number of arithmetic operations of a call, for weighing one contractor against another; 0:
+  /// next to nothing.
   virtual double cost() const { return 0; }
   /// Before `contract`: the memory of the box above. After it: what to hand down.
   virtual void recall(ContractorMemory) {}

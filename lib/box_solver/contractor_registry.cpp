@@ -1,8 +1,12 @@
 #include "box_solver/contractor_registry.h"
 
+#include "box_solver/bernstein_contractor.h"
+#include "box_solver/box_consistency_contractor.h"
+#include "box_solver/disjunction_contractor.h"
 #include "box_solver/fixpoint_contractor.h"
 #include "box_solver/hull_contractor.h"
 #include "box_solver/lp_reduction_contractor.h"
+#include "box_solver/mean_value_contractor.h"
 #include "box_solver/multiplier_contractor.h"
 
 namespace gcslab {
@@ -24,6 +28,31 @@ Made make_multipliers(const SystemFunctions& functions, const ContractorSettings
 
 Made make_lp_reduction(const SystemFunctions& functions, const ContractorSettings& settings) {
   return make_lp_reduction_contractor(functions, settings.lp, lp_safety_from_name(settings.lp_safety));
+}
+
+template <MeanValueForm form>
+Made make_mean_value(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
+    return make_mean_value_contractor<T>(functions, form, settings.bits);
+  });
+}
+
+template <bool is_adaptive>
+Made make_disjunction(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return make_disjunction_contractor(functions, make_hull(functions, settings), {.is_adaptive = is_adaptive});
+}
+
+Made make_box_consistency(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
+    return make_box_consistency_contractor<T>(functions, {.bits = settings.bits});
+  });
+}
+
+template <BernsteinProjection projection>
+Made make_bernstein(const SystemFunctions& functions, const ContractorSettings& settings) {
+  return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
+    return make_bernstein_contractor<T>(functions, projection, settings.bits);
+  });
 }
 
 std::vector<std::string> split_at_plus(const std::string& text) {
@@ -54,6 +83,28 @@ const Registry<ContractorVariant>& contractor_registry() {
           {"lp_reduction",
            "least and largest value of each variable over the Bernstein polytope (Tahari 2011, section 5)",
            &make_lp_reduction},
+          {"newton",
+           "interval Newton: the mean value form, preconditioned by the midpoint inverse, solved row by row "
+           "(Hansen, Sengupta 1981)",
+           &make_mean_value<MeanValueForm::gauss_seidel>},
+          {"krawczyk", "Krawczyk's operator on the same form (Krawczyk 1969, Moore 1977)",
+           &make_mean_value<MeanValueForm::krawczyk>},
+          {"constructive_disjunction",
+           "slices of each side contracted by hull, and the hull of what is left (Trombettoni, Chabert 2007)",
+           &make_disjunction<false>},
+          {"adaptive_constructive_disjunction",
+           "the same in order of smear, as long as it pays (after Neveu, Trombettoni, Araya 2015)",
+           &make_disjunction<true>},
+          {"box_consistency",
+           "slices cut off both ends of each side where a function cannot vanish (Benhamou et al. 1994)",
+           &make_box_consistency},
+          {"bernstein_projection",
+           "combined equations in the Bernstein basis, projected on each side by convex hulls (Sherbrooke, "
+           "Patrikalakis 1993)",
+           &make_bernstein<BernsteinProjection::hull>},
+          {"mourrain_pavone",
+           "the same with the roots of the lower and upper polynomials (Mourrain, Pavone 2009)",
+           &make_bernstein<BernsteinProjection::polynomial>},
       });
   return registry;
 }

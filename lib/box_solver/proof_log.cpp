@@ -23,9 +23,17 @@ std::string_view word_of(Argument argument) {
     case Argument::polytope:
       return "polytope";
     case Argument::mean_value_row:
+      return "mean_value_row";
+    case Argument::bernstein_row:
+      return "bernstein_row";
+    case Argument::cases:
+      return "cases";
+    case Argument::otherwise:
+      return "otherwise";
+    case Argument::join:
       break;
   }
-  return "mean_value_row";
+  return "join";
 }
 
 /// " " and the number in hexadecimal digits, exactly.
@@ -88,12 +96,22 @@ void ProofLog::root(std::size_t number, const CertifiedRoot& root) {
 
 void ProofLog::write_step(const ProofStep& step) {
   *out_ << word_of(step.argument);
-  const bool is_hull =
-      step.argument == Argument::hull_of_equation || step.argument == Argument::hull_of_inequality;
-  if (is_hull) *out_ << ' ' << step.function;
-  if (step.argument != Argument::expansion) {
-    *out_ << ' ' << step.variable;
-    write_interval(*out_, step.result);
+  switch (step.argument) {
+    case Argument::expansion:
+    case Argument::otherwise:
+    case Argument::join:
+      break;
+    case Argument::cases:
+      *out_ << ' ' << step.variable;
+      write_number(*out_, step.result.lower);
+      break;
+    case Argument::hull_of_equation:
+    case Argument::hull_of_inequality:
+      *out_ << ' ' << step.function;
+      [[fallthrough]];
+    default:
+      *out_ << ' ' << step.variable;
+      write_interval(*out_, step.result);
   }
   for (const double multiplier : step.multipliers) write_number(*out_, multiplier);
   if (step.argument == Argument::polytope) *out_ << " ;";

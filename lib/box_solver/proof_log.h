@@ -20,8 +20,16 @@
 //                                    z^B)^2), bounded monomial by monomial, gives the end that moved; + for
 //                                    LO, - for HI; without z_V, a positive bound shows "empty". A and B are
 //                                    variables joined by *
-//     mean_value_row V LO HI C ...
+//     mean_value_row V LO HI C ...   0 = C f(m) + C J (x - m), with m and J of the box at `expansion`
+//     bernstein_row V LO HI C ...    C f has no zero with x_V outside [LO, HI] in the box at `expansion`: its
+//                                    Bernstein form there, seen along V, is positive or negative
 //                                    "empty" in place of LO HI: no root in the box
+//     cases V POINT                  what follows is about the part of the box with x_V <= POINT,
+//     otherwise                      from here on about the part with x_V >= POINT,
+//     join                           and now about the hull of what is left of the two, empty when nothing
+//     is.
+//                                    Cases nest; a part ends early when a step shows that it is empty. An
+//                                    `expansion` in a part is forgotten at the end of that part
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
 //   end

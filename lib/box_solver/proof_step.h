@@ -22,6 +22,10 @@ enum class Argument : std::uint8_t {
   square_row,          ///< the expansion of sum multipliers[k] f_k, solved for the square of the variable
   polytope,        ///< products of bound factors and equations, summed with multipliers, bound the variable
   mean_value_row,  ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
+  bernstein_row,   ///< the Bernstein form of the same over that box, seen along the variable
+  cases,      ///< the steps up to `otherwise` are about the part where the variable is at most result.lower
+  otherwise,  ///< those up to `join` are about the part where it is at least that
+  join,       ///< the box is the hull of what is left of both parts; with nothing left it has no root
 };
 
 /// A product of bound factors of z in [-1, 1]^n with its multiplier, which is not negative: (1 + s z^first)
@@ -32,11 +36,12 @@ struct ProductMultiplier {
   double multiplier;
 };
 
+/// Cases nest. A part that a step shows to have no root has no further steps.
 struct ProofStep {
   Argument argument;
   std::uint32_t function = 0;
   std::uint32_t variable = 0;
-  Interval result{};  ///< of the variable; empty: the box has no root
+  Interval result{};  ///< of the variable; empty: the box has no root; `cases`: the border
   std::vector<double> multipliers{};
   std::vector<ProductMultiplier> products{};  ///< of `polytope`
 };
@@ -49,6 +54,9 @@ class ProofTrace {
   bool wanted() const { return wanted_; }
   void add(ProofStep step) {
     if (wanted_) steps_.push_back(std::move(step));
+  }
+  void append(const ProofTrace& other) {
+    if (wanted_) steps_.insert(steps_.end(), other.steps_.begin(), other.steps_.end());
   }
   const std::vector<ProofStep>& steps() const { return steps_; }
   void clear() { steps_.clear(); }
