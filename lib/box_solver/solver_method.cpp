@@ -51,6 +51,16 @@ const Registry<SolverMethod>& solver_method_registry() {
            "hull consistency and least-squares multipliers while they gain; linear programs where they have "
            "paid",
            1, "hull+multipliers+lp_reduction?"},
+          {"interval_newton",
+           "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 1, "newton"},
+          {"krawczyk", "Krawczyk's operator", 1, "krawczyk"},
+          {"hull_newton", "hull consistency, then interval Newton", 1, "hull+newton"},
+          {"bernstein_projection",
+           "the preconditioned system in the Bernstein basis, projected by convex hulls (Sherbrooke, "
+           "Patrikalakis 1993)",
+           1, "bernstein_projection"},
+          {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 1,
+           "mourrain_pavone"},
           {"lp_reduction", "linear programs over the Bernstein polytope of the box", 1, "lp_reduction"},
           {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
       });
