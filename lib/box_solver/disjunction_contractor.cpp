@@ -17,9 +17,16 @@ class DisjunctionContractor final : public Contractor {
  public:
   DisjunctionContractor(const SystemFunctions& functions, std::unique_ptr<Contractor> inner,
                         const DisjunctionOptions& options)
-      : inner_(std::move(inner)),
+      : variables_(functions.variables()),
+        inner_(std::move(inner)),
         options_(options),
         order_(bisection_registry().at("relative_smear_sum").make(functions)) {}
+
+  double cost() const override {
+    const std::size_t taken =
+        options_.is_adaptive ? static_cast<std::size_t>(2 * options_.patience) : variables_;
+    return static_cast<double>(taken) * options_.slices * inner_->cost();
+  }
 
   bool contract(Box& box, ProofTrace& trace) override {
     std::vector<std::size_t> open(box.size());
@@ -109,6 +116,7 @@ class DisjunctionContractor final : public Contractor {
     trace.add({Argument::join});
   }
 
+  std::size_t variables_;
   std::unique_ptr<Contractor> inner_;
   DisjunctionOptions options_;
   std::unique_ptr<Bisection> order_;
