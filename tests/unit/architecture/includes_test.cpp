@@ -23,6 +23,7 @@ const Table& allowed() {
       {"interval", {"base"}},
       {"expression", {"interval"}},
       {"polynomial", {"expression"}},
+      {"verifier", {"expression"}},
       {"enclosure", {"polynomial"}},
       {"covering", {"enclosure"}},
       {"certification", {"enclosure"}},
