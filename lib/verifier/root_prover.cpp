@@ -87,6 +87,14 @@ bool invert(RealMatrix matrix, RealMatrix& inverse) {
   return true;
 }
 
+RealMatrix middles(const RangeMatrix& matrix) {
+  RealMatrix result(matrix.size());
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    for (const Range& entry : matrix[k]) result[k].push_back(middle(entry));
+  }
+  return result;
+}
+
 /// The sum of products of numbers with the middles of ranges.
 Real middle_product(const std::vector<Real>& row, const RangeBox& values) {
   Real sum;
@@ -133,11 +141,7 @@ bool RootProver::newton(std::vector<Real>& point, RealMatrix& inverse) {
   for (int step = 0; step < kMaximumSteps; ++step) {
     const RangeBox centre = at_point(point);
     if (!system_->slopes(centre, centre, slopes_) || !evaluate(centre, values)) return false;
-    RealMatrix jacobian(slopes_.size());
-    for (std::size_t k = 0; k < slopes_.size(); ++k) {
-      for (const Range& slope : slopes_[k]) jacobian[k].push_back(middle(slope));
-    }
-    if (!invert(std::move(jacobian), inverse)) return false;
+    if (!invert(middles(slopes_), inverse)) return false;
     std::vector<Real> moves;
     for (std::size_t i = 0; i < point.size(); ++i) {
       moves.push_back(middle_product(inverse[i], values));
@@ -218,18 +222,12 @@ std::optional<EnclosedRoot> RootProver::enclose(const Box& claimed) {
   return root;
 }
 
-bool RootProver::has_no_other(const Box& box, const EnclosedRoot& root) {
-  const RangeBox candidate = ranges_of(box);
-  for (const Interval& side : box) {
-    if (!is_bounded(side)) return false;
-  }
-  if (!is_within(root.enclosure, box)) return false;
-  if (!system_->slopes(candidate, root.enclosure, slopes_)) return false;
-  compute_residual(root.inverse);
+/// Whether |I - C S| w < w for a vector w > 0 that starts as the widths of the box: powers of |I - C S|
+/// applied to it come nearer to the best one.
+bool RootProver::is_contracting(const Box& box) const {
+  constexpr int kAttempts = 8;
   std::vector<Real> weights;
   for (const Interval& side : box) weights.emplace_back(std::max(width(side), 0x1p-1000));
-  // The widths of the box are weights that suit most boxes; powers of |I - C S| applied to them suit more.
-  constexpr int kAttempts = 8;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<Real> sums(box.size());
     bool shrinks = true;
@@ -248,6 +246,18 @@ bool RootProver::has_no_other(const Box& box, const EnclosedRoot& root) {
     }
   }
   return false;
+}
+
+/// C is the inverse at the root, as solvers take it, or else that of the middle of the slopes.
+bool RootProver::has_no_other(const Box& box, const EnclosedRoot& root) {
+  if (!std::ranges::all_of(box, is_bounded) || !is_within(root.enclosure, box)) return false;
+  if (!system_->slopes(ranges_of(box), root.enclosure, slopes_)) return false;
+  compute_residual(root.inverse);
+  if (is_contracting(box)) return true;
+  RealMatrix inverse;
+  if (!invert(middles(slopes_), inverse)) return false;
+  compute_residual(inverse);
+  return is_contracting(box);
 }
 
 }  // namespace gcslab::verifier

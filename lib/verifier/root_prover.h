@@ -43,6 +43,7 @@ class RootProver {
   bool image(const RangeBox& x, const RangeBox& centre, const RealMatrix& inverse, RangeBox& result);
   std::optional<RangeBox> contracted(const RangeBox& centre, const RealMatrix& inverse);
   bool tighten(RangeBox& box);
+  bool is_contracting(const Box& box) const;
 
   JudgedSystem* system_;
   RangeMatrix slopes_;

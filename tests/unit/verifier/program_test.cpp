@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "certification/system_functions.h"
 #include "expression/parser.h"
 #include "expression/tape_evaluator.h"
 #include "interval/fast_interval.h"
@@ -147,6 +148,38 @@ TEST_P(ProgramOnText, ExpansionsEqualTheFunctionAtPointsOfTheBox) {
     EXPECT_FALSE(sum.is_disjoint_from(value));
     if (!judged.equations()[0].polynomial) continue;
     EXPECT_LT(width((sum - value).outward()), 1e-60);
+  }
+}
+
+TEST_P(ProgramOnText, SlopesFromACentreAreAtLeastAsTightAsTheCertifiers) {
+  EquationSystem system;
+  system.variables = kVariables;
+  system.equations.push_back(parse_equation(*system.graph, GetParam(), kVariables));
+  JudgedSystem judged(system);
+  const SystemFunctions functions(system);
+  const NumberTraits<FastInterval>::Scope scope;
+  SystemEvaluator<FastInterval> evaluator(functions);
+  Matrix<FastInterval> expected(1, 3, FastInterval());
+  RangeMatrix slopes;
+  for (std::size_t i = 0; i < fuzz_cases(300); ++i) {
+    const Box box = random_box(random_);
+    const Box centre = i % 2 == 0 ? random_box(random_) : Box{midpoint(box[0]), midpoint(box[1]), box[2]};
+    std::vector<FastInterval> fast_box;
+    std::vector<FastInterval> fast_centre;
+    for (const Interval& side : box) fast_box.emplace_back(side);
+    for (const Interval& side : centre) fast_centre.emplace_back(side);
+    const bool is_defined = judged.slopes(ranges_of(box), ranges_of(centre), slopes);
+    ASSERT_EQ(is_defined, evaluator.slopes(fast_box, fast_centre, expected));
+    if (!is_defined) continue;
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(slopes[0][k].is_within(expected(0, k).interval()));
+    const RangeBox p = random_point(random_, box);
+    const RangeBox c = random_point(random_, centre);
+    Program& program = judged.equations()[0].program;
+    const Range at_p = program.evaluate(p);
+    const Range at_c = program.evaluate(c);
+    Range sum;
+    for (std::size_t k = 0; k < 3; ++k) sum = sum + slopes[0][k] * (p[k] - c[k]);
+    EXPECT_FALSE((at_p - at_c).is_disjoint_from(sum));
   }
 }
 
