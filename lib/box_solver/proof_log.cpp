@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 namespace gcslab {
@@ -37,7 +38,7 @@ std::string_view word_of(Argument argument) {
 }
 
 /// " " and the number in hexadecimal digits, exactly.
-void write_number(std::ostream& out, double value) {
+void append_number(std::string& line, double value) {
   std::array<char, 64> text{};
   char* start = text.data();
   *start++ = ' ';
@@ -48,98 +49,127 @@ void write_number(std::ostream& out, double value) {
     *start++ = 'x';
   }
   const auto result = std::to_chars(start, text.data() + text.size(), size + 0.0, std::chars_format::hex);
-  out.write(text.data(), result.ptr - text.data());
+  line.append(text.data(), result.ptr);
 }
 
-void write_monomial(std::ostream& out, const std::vector<std::uint32_t>& variables) {
+template <class Integer>
+void append_integer(std::string& line, Integer value, char separator = ' ') {
+  line += separator;
+  line += std::to_string(value);
+}
+
+void append_monomial(std::string& line, const std::vector<std::uint32_t>& variables) {
   char separator = ' ';
   for (const std::uint32_t variable : variables) {
-    out << separator << variable;
+    append_integer(line, variable, separator);
     separator = '*';
   }
 }
 
-void write_interval(std::ostream& out, const Interval& x) {
+void append_interval(std::string& line, const Interval& x) {
   if (is_empty(x)) {
-    out << " empty";
+    line += " empty";
     return;
   }
-  write_number(out, x.lower);
-  write_number(out, x.upper);
+  append_number(line, x.lower);
+  append_number(line, x.upper);
+}
+
+void append_box(std::string& line, const Box& box) {
+  for (const Interval& side : box) append_interval(line, side);
 }
 
 }  // namespace
 
-void ProofLog::write_box(const Box& box) {
-  for (const Interval& side : box) write_interval(*out_, side);
+void ProofLog::write(std::string_view line) {
+  *out_ << line << '\n';
+  hasher_.add(line);
+  hasher_.add("\n");
 }
 
 void ProofLog::begin(const Box& search_box) {
-  *out_ << "gcslab-proof 1\nbox";
-  write_box(search_box);
-  *out_ << '\n';
+  write("gcslab-proof 1");
+  line_ = "box";
+  append_box(line_, search_box);
+  write(line_);
 }
 
 void ProofLog::start(std::uint64_t id, const Box& box) {
-  *out_ << "start " << id;
-  write_box(box);
-  *out_ << '\n';
+  line_ = "start";
+  append_integer(line_, id);
+  append_box(line_, box);
+  write(line_);
 }
 
 void ProofLog::root(std::size_t number, const CertifiedRoot& root) {
-  *out_ << "root " << number;
-  write_box(root.box);
-  *out_ << " U";
-  write_box(root.uniqueness_box);
-  *out_ << '\n';
+  line_ = "root";
+  append_integer(line_, number);
+  append_box(line_, root.box);
+  line_ += " U";
+  append_box(line_, root.uniqueness_box);
+  write(line_);
 }
 
-void ProofLog::write_step(const ProofStep& step) {
-  *out_ << word_of(step.argument);
+void ProofLog::step(const ProofStep& step) {
+  line_ = word_of(step.argument);
   switch (step.argument) {
     case Argument::expansion:
     case Argument::otherwise:
     case Argument::join:
       break;
     case Argument::cases:
-      *out_ << ' ' << step.variable;
-      write_number(*out_, step.result.lower);
+      append_integer(line_, step.variable);
+      append_number(line_, step.result.lower);
       break;
     case Argument::hull_of_equation:
     case Argument::hull_of_inequality:
-      *out_ << ' ' << step.function;
+      append_integer(line_, step.function);
       [[fallthrough]];
     default:
-      *out_ << ' ' << step.variable;
-      write_interval(*out_, step.result);
+      append_integer(line_, step.variable);
+      append_interval(line_, step.result);
   }
-  for (const double multiplier : step.multipliers) write_number(*out_, multiplier);
-  if (step.argument == Argument::polytope) *out_ << " ;";
+  for (const double multiplier : step.multipliers) append_number(line_, multiplier);
+  if (step.argument == Argument::polytope) line_ += " ;";
   for (const ProductMultiplier& product : step.products) {
-    write_monomial(*out_, product.first);
-    write_monomial(*out_, product.second);
-    *out_ << ' ' << product.s << ' ' << product.t;
-    write_number(*out_, product.multiplier);
+    append_monomial(line_, product.first);
+    append_monomial(line_, product.second);
+    append_integer(line_, product.s);
+    append_integer(line_, product.t);
+    append_number(line_, product.multiplier);
   }
-  *out_ << '\n';
+  write(line_);
 }
 
 void ProofLog::node(std::uint64_t id, const ProofTrace& trace) {
-  *out_ << "node " << id << '\n';
-  for (const ProofStep& step : trace.steps()) write_step(step);
+  line_ = "node";
+  append_integer(line_, id);
+  write(line_);
+  for (const ProofStep& taken : trace.steps()) step(taken);
 }
 
-void ProofLog::end_empty() { *out_ << "end empty\n"; }
-void ProofLog::end_covered(std::size_t root) { *out_ << "end covered " << root << '\n'; }
-void ProofLog::end_undecided() { *out_ << "end undecided\n"; }
-void ProofLog::end_pending() { *out_ << "end pending\n"; }
+void ProofLog::end_empty() { write("end empty"); }
+void ProofLog::end_undecided() { write("end undecided"); }
+void ProofLog::end_pending() { write("end pending"); }
+
+void ProofLog::end_covered(std::size_t root) {
+  line_ = "end covered";
+  append_integer(line_, root);
+  write(line_);
+}
 
 void ProofLog::end_cut(std::size_t variable, double point, std::uint64_t lower, std::uint64_t upper) {
-  *out_ << "end cut " << variable;
-  write_number(*out_, point);
-  *out_ << ' ' << lower << ' ' << upper << '\n';
+  line_ = "end cut";
+  append_integer(line_, variable);
+  append_number(line_, point);
+  append_integer(line_, lower);
+  append_integer(line_, upper);
+  write(line_);
 }
 
-void ProofLog::finish() { *out_ << "end\n"; }
+void ProofLog::finish() {
+  write("end");
+  *out_ << "hash " << hasher_.hash() << '\n';
+}
 
 }  // namespace gcslab

@@ -33,11 +33,15 @@
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
 //   end
+//   hash XXH3                      of all lines before
 // Every line says what holds because of it; proof_step.h says why.
 
 #include <cstdint>
 #include <iosfwd>
+#include <string>
+#include <string_view>
 
+#include "base/content_hash.h"
 #include "box_solver/proof_step.h"
 #include "certification/root_certificate.h"
 
@@ -60,10 +64,12 @@ class ProofLog {
   void finish();
 
  private:
-  void write_box(const Box& box);
-  void write_step(const ProofStep& step);
+  void write(std::string_view line);
+  void step(const ProofStep& step);
 
   std::ostream* out_;
+  std::string line_;  ///< memory to build lines in
+  ContentHasher hasher_;
 };
 
 }  // namespace gcslab

@@ -48,9 +48,10 @@ const Registry<SolverMethod>& solver_method_registry() {
       "method",
       {
           {"adaptive",
-           "hull consistency and least-squares multipliers while they gain; linear programs where they have "
-           "paid",
-           1, "hull+multipliers+lp_reduction?"},
+           "hull consistency and least-squares multipliers while they gain; constructive disjunction and "
+           "linear "
+           "programs where they have paid",
+           1, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?"},
           {"interval_newton",
            "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 1, "newton"},
           {"krawczyk", "Krawczyk's operator", 1, "krawczyk"},

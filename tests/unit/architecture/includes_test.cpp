@@ -24,6 +24,7 @@ const Table& allowed() {
       {"expression", {"interval"}},
       {"polynomial", {"expression"}},
       {"linear_program", {"interval"}},
+      {"verifier", {"expression"}},
       {"enclosure", {"polynomial"}},
       {"covering", {"enclosure"}},
       {"certification", {"enclosure"}},

@@ -69,6 +69,16 @@ TEST(ContentHash, DistinguishesTexts) {
   EXPECT_EQ(content_hash("").size(), 32u);
 }
 
+TEST(ContentHasher, PartsHashAsTheirWhole) {
+  ContentHasher hasher;
+  EXPECT_EQ(hasher.hash(), content_hash(""));
+  hasher.add("ab");
+  hasher.add("c");
+  EXPECT_EQ(hasher.hash(), content_hash("abc"));
+  hasher.add("d");
+  EXPECT_EQ(hasher.hash(), content_hash("abcd"));
+}
+
 TEST(AtomicFile, WritesWholeFilesAndLeavesNoDraft) {
   const auto folder = std::filesystem::temp_directory_path() / ("gcslab-base-" + std::to_string(::getpid()));
   make_folder(folder);

@@ -1,0 +1,77 @@
+#pragma once
+
+// The equations expanded about the midpoint m of a box, in z with x_i = m_i + r_i z_i, z in [-1, 1]^n.
+//
+// Promise: at every point of the box, equation k equals constant + sum of values[c] * column c, for some
+// choice of numbers within the ranges. A polynomial is expanded into all monomials of its Taylor expansion at
+// m, which is exact up to rounding; any other equation, and a polynomial whose expansion has more than 20,000
+// terms, gets f(m) and its slopes over the box in the linear columns. Where such an equation may be undefined
+// the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as doubles.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "verifier/judged_system.h"
+
+namespace gcslab::verifier {
+
+/// A monomial of z: variables ascending, each with its power >= 1.
+using Monomial = std::vector<std::pair<std::uint32_t, int>>;
+
+struct ExpandedRow {
+  Range constant;
+  std::vector<std::uint32_t> columns;  ///< numbers of monomials, none twice
+  std::vector<Range> values;
+};
+
+class Expansion {
+ public:
+  /// `system` must outlive it.
+  explicit Expansion(JudgedSystem& system);
+
+  std::size_t variables() const { return midpoints_.size(); }
+  /// The first ones are the variables.
+  const std::vector<Monomial>& columns() const { return columns_; }
+
+  /// From here on, rows are about the midpoint of that bounded box.
+  void expand(const Box& box);
+  const std::vector<double>& midpoints() const { return midpoints_; }
+  const std::vector<double>& radii() const { return radii_; }
+  /// The row of an equation, computed when first asked for.
+  const ExpandedRow& row(std::size_t equation);
+
+ private:
+  struct Term {
+    Range coefficient;
+    std::uint32_t product;  ///< of midpoints
+  };
+  struct Entry {
+    std::uint32_t column;  ///< kConstant for the constant
+    std::vector<Term> terms;
+  };
+  static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
+
+  void plan(const PolynomialTerms& polynomial, std::vector<Entry>& entries);
+  std::uint32_t column_of(const std::vector<int>& exponents);
+  std::uint32_t product_of(const std::vector<int>& exponents);
+  void compute_products(const std::vector<double>& numbers, std::vector<Range>& products) const;
+  void expand_polynomial(const std::vector<Entry>& entries, ExpandedRow& row) const;
+  void expand_by_mean_value(std::size_t equation, ExpandedRow& row);
+
+  JudgedSystem* system_;
+  std::vector<Monomial> columns_;
+  std::map<Monomial, std::uint32_t> number_of_column_;
+  std::vector<std::uint32_t> column_products_;  ///< of radii, one a column
+  /// Products of variables: that of `first` times variable `second`. Number 0 is the empty product.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> products_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_of_product_;
+  std::vector<std::vector<Entry>> entries_;  ///< of the equations that are expanded as polynomials
+  Box box_;
+  std::vector<double> midpoints_, radii_;
+  std::vector<Range> midpoint_products_, radius_products_;
+  std::vector<ExpandedRow> rows_;
+  std::vector<bool> has_row_;
+};
+
+}  // namespace gcslab::verifier

@@ -1,0 +1,198 @@
+#include "verifier/proof_replay.h"
+
+#include <algorithm>
+
+#include "verifier/box_relations.h"
+
+namespace gcslab::verifier {
+
+ProofReplay::ProofReplay(JudgedSystem& system, const Box& search_box, const ListedResult& listed,
+                         ProofReader& reader)
+    : system_(&system),
+      search_box_(&search_box),
+      listed_(&listed),
+      reader_(&reader),
+      prover_(system),
+      judge_(system),
+      undecided_(listed.undecided) {
+  std::ranges::sort(undecided_, is_before);
+}
+
+ReplaySummary ProofReplay::run() {
+  read_header();
+  for (bool goes_on = true; goes_on;) {
+    if (!reader_->next_line()) reader_->refuse("the file ends before its line 'end'");
+    goes_on = read_event(reader_->word());
+  }
+  read_hash();
+  if (!open_.empty()) {
+    summary_.gap = std::to_string(open_.size()) + " boxes, one of them number " +
+                   std::to_string(open_.begin()->first) + ", are not followed to an end";
+  } else if (!is_covered(*search_box_, starts_)) {
+    summary_.gap = "the boxes that the search starts from do not cover the search box, as after a resumption";
+  }
+  summary_.is_complete = summary_.gap.empty();
+  return summary_;
+}
+
+void ProofReplay::read_header() {
+  if (!reader_->next_line() || reader_->word() != "gcslab-proof" || reader_->integer() != 1)
+    reader_->refuse("expected 'gcslab-proof 1'");
+  reader_->end_line();
+  if (!reader_->next_line() || reader_->word() != "box") reader_->refuse("expected the search box");
+  if (reader_->box(system_->variables()) != *search_box_)
+    reader_->refuse("this is not the search box of the result");
+  reader_->end_line();
+}
+
+/// One event; false after the last one.
+bool ProofReplay::read_event(std::string_view word) {
+  if (word == "start") {
+    read_start();
+  } else if (word == "root") {
+    read_root();
+  } else if (word == "node") {
+    read_node();
+  } else if (word == "end") {
+    reader_->end_line();
+    return false;
+  } else {
+    reader_->refuse("'" + std::string(word) + "' is no event of a proof");
+  }
+  return true;
+}
+
+void ProofReplay::read_hash() {
+  if (!reader_->next_line()) reader_->refuse("expected the line 'hash', the file ends");
+  const std::string expected = reader_->hash_before();
+  if (reader_->word() != "hash" || reader_->word() != expected)
+    reader_->refuse("the content hash is not that of the lines before: the file was edited");
+  reader_->end_line();
+  if (reader_->next_line()) reader_->refuse("nothing may follow the content hash");
+}
+
+void ProofReplay::open_box(std::uint64_t id, const Box& box) {
+  if (id < next_id_) reader_->refuse("box " + std::to_string(id) + " was named before");
+  next_id_ = id + 1;
+  open_.emplace(id, box);
+}
+
+void ProofReplay::read_start() {
+  const std::uint64_t id = reader_->integer();
+  starts_.push_back(reader_->box(system_->variables()));
+  reader_->end_line();
+  open_box(id, starts_.back());
+}
+
+bool ProofReplay::violates_inequality(const RangeBox& root) {
+  for (JudgedFunction& inequality : system_->inequalities()) {
+    const Range& value = inequality.program.evaluate(root);
+    if (value.is_empty() || mpfr_sgn(value.lower()) > 0) return true;
+  }
+  return false;
+}
+
+ProofReplay::KnownRoot ProofReplay::judged_root(EnclosedRoot root) {
+  const RangeBox& where = root.enclosure;
+  bool is_accounted_for = are_apart(where, ranges_of(*search_box_)) || violates_inequality(where);
+  for (const ListedRoot& other : listed_->roots) {
+    is_accounted_for = is_accounted_for || is_within(where, other.uniqueness_box);
+  }
+  return {std::move(root), {}, is_accounted_for};
+}
+
+/// A root, or a further box for a known one.
+void ProofReplay::read_root() {
+  const std::uint64_t number = reader_->integer();
+  const Box box = reader_->box(system_->variables());
+  if (reader_->word() != "U") reader_->refuse("expected U and the uniqueness box");
+  const Box uniqueness_box = reader_->box(system_->variables());
+  reader_->end_line();
+  judge_.forget_propagation();
+  auto known = roots_.find(number);
+  if (known == roots_.end()) {
+    std::optional<EnclosedRoot> root = prover_.enclose(box);
+    if (!root) reader_->refuse("no root is proved to lie in this box");
+    known = roots_.emplace(number, judged_root(std::move(*root))).first;
+  }
+  if (!is_within(known->second.root.enclosure, box) && !prover_.enclose(box))
+    reader_->refuse("no root is proved to lie in this box");
+  // Where the uniqueness box contains the box, its only root is the one in the box.
+  if (!is_subset(box, uniqueness_box)) reader_->refuse("the uniqueness box does not contain the box");
+  if (!prover_.has_no_other(uniqueness_box, known->second.root))
+    reader_->refuse("the uniqueness box is not proved to contain this root and no other");
+  known->second.uniqueness_boxes.push_back(uniqueness_box);
+  ++summary_.counts["roots and their uniqueness boxes"];
+}
+
+void ProofReplay::read_node() {
+  const std::uint64_t id = reader_->integer();
+  reader_->end_line();
+  const auto box = open_.find(id);
+  if (box == open_.end()) reader_->refuse("there is no open box " + std::to_string(id));
+  part_ = {std::move(box->second), false, {}};
+  open_.erase(box);
+  cases_.clear();
+  judge_.forget_propagation();
+  do {
+    if (!reader_->next_line()) reader_->refuse("the file ends inside a node");
+  } while (read_step(reader_->word()));
+  ++summary_.counts["boxes followed to their end"];
+}
+
+void ProofReplay::end_node() {
+  if (!cases_.empty()) reader_->refuse("a case distinction is not joined");
+  const std::string_view end = reader_->word();
+  if (end == "empty") {
+    reader_->end_line();
+    if (!part_.is_empty) reader_->refuse("the box is not proved to be empty");
+  } else if (part_.is_empty) {
+    reader_->refuse("the box was proved to be empty; expected 'end empty'");
+  } else if (end == "covered") {
+    end_covered();
+  } else if (end == "undecided" || end == "pending") {
+    end_undecided();
+  } else if (end == "cut") {
+    end_cut();
+  } else {
+    reader_->refuse("'" + std::string(end) + "' is no end of a node");
+  }
+}
+
+void ProofReplay::end_covered() {
+  const std::uint64_t number = reader_->integer();
+  reader_->end_line();
+  const auto known = roots_.find(number);
+  if (known == roots_.end()) reader_->refuse("there is no root " + std::to_string(number));
+  const auto& boxes = known->second.uniqueness_boxes;
+  if (std::ranges::none_of(boxes, [&](const Box& u) { return is_subset(part_.box, u); }))
+    reader_->refuse("the box lies in no uniqueness box of root " + std::to_string(number));
+  if (!known->second.is_accounted_for) {
+    reader_->refuse("root " + std::to_string(number) +
+                    " is not listed in the result, and not proved to be no solution");
+  }
+}
+
+void ProofReplay::end_undecided() {
+  reader_->end_line();
+  if (std::ranges::binary_search(undecided_, part_.box, is_before)) return;
+  if (std::ranges::none_of(undecided_, [&](const Box& other) { return is_subset(part_.box, other); }))
+    reader_->refuse("the box lies in no undecided box of the result");
+}
+
+void ProofReplay::end_cut() {
+  const std::size_t variable = reader_->index(system_->variables(), "variable");
+  const double point = reader_->number();
+  const std::uint64_t lower = reader_->integer();
+  const std::uint64_t upper = reader_->integer();
+  reader_->end_line();
+  const Interval side = part_.box[variable];
+  if (!contains(side, point)) reader_->refuse("the box is cut outside of itself");
+  Box half = part_.box;
+  half[variable] = {side.lower, point};
+  open_box(lower, half);
+  half[variable] = {point, side.upper};
+  open_box(upper, half);
+}
+
+}  // namespace gcslab::verifier

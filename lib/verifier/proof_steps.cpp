@@ -1,0 +1,154 @@
+// The steps inside a node of a proof.
+
+#include <cmath>
+#include <map>
+
+#include "verifier/proof_replay.h"
+
+namespace gcslab::verifier {
+
+/// One step; false after the end of the node.
+bool ProofReplay::read_step(std::string_view word) {
+  if (word == "end") {
+    end_node();
+    return false;
+  }
+  if (word == "otherwise") {
+    open_other_case();
+  } else if (word == "join") {
+    join_cases();
+  } else if (part_.is_empty) {
+    reader_->refuse("nothing is left of the box, so that '" + std::string(word) + "' has no place here");
+  } else if (word == "hull_equation" || word == "hull_inequality") {
+    read_propagation(word == "hull_equation");
+  } else if (word == "expansion") {
+    reader_->end_line();
+    for (const Interval& side : part_.box) {
+      if (!is_bounded(side)) reader_->refuse("the box is unbounded: it has no midpoint to expand about");
+    }
+    part_.expansion = judge_.expansion_about(part_.box);
+  } else if (word == "expansion_row" || word == "square_row" || word == "mean_value_row") {
+    read_row(word);
+  } else if (word == "polytope") {
+    read_polytope();
+  } else if (word == "cases") {
+    open_cases();
+  } else {
+    reader_->refuse("'" + std::string(word) + "' is no step that can be proved again");
+  }
+  return true;
+}
+
+/// Accepts a claim about a variable that contains what is proved.
+void ProofReplay::take_claim(std::size_t variable, const Interval& claim, const Range& proved) {
+  if (!proved.is_within(claim)) {
+    const std::string left = to_string(proved.outward());
+    reader_->refuse(is_empty(claim)
+                        ? "a root may be left: the variable is only proved to lie in " + left
+                        : "the variable is only proved to lie in " + left + ", not in " + to_string(claim));
+  }
+  Interval& side = part_.box[variable];
+  side = intersection(side, claim);
+  part_.is_empty = is_empty(side);
+  ++summary_.counts["narrowings"];
+}
+
+void ProofReplay::read_propagation(bool is_equation) {
+  const std::size_t count = (is_equation ? system_->equations() : system_->inequalities()).size();
+  const std::size_t function = reader_->index(count, is_equation ? "equation" : "inequality");
+  const std::size_t variable = reader_->index(system_->variables(), "variable");
+  const Interval claim = reader_->interval_or_empty();
+  reader_->end_line();
+  take_claim(variable, claim, judge_.propagate(is_equation, function, variable, part_.box, claim));
+}
+
+std::size_t ProofReplay::read_claim(Interval& claim) {
+  const std::size_t variable = reader_->index(system_->variables(), "variable");
+  claim = reader_->interval_or_empty();
+  multipliers_.clear();
+  for (std::size_t k = 0; k < system_->equations().size(); ++k) multipliers_.push_back(read_multiplier());
+  return variable;
+}
+
+double ProofReplay::read_multiplier() {
+  const double multiplier = reader_->number();
+  if (!std::isfinite(multiplier)) reader_->refuse("a multiplier is infinite");
+  return multiplier;
+}
+
+void ProofReplay::read_row(std::string_view word) {
+  Interval claim;
+  const std::size_t variable = read_claim(claim);
+  reader_->end_line();
+  if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
+  const Range proved =
+      word == "mean_value_row" ? judge_.mean_value_row(part_.expansion, variable, multipliers_, part_.box)
+      : word == "square_row"   ? judge_.square_row(part_.expansion, variable, multipliers_, part_.box)
+                               : judge_.expansion_row(part_.expansion, variable, multipliers_, part_.box);
+  take_claim(variable, claim, proved);
+}
+
+void ProofReplay::read_polytope() {
+  Interval claim;
+  const std::size_t variable = read_claim(claim);
+  reader_->expect(";");
+  std::vector<PositiveProduct> products;
+  while (!reader_->at_end_of_line()) {
+    PositiveProduct product{read_monomial(), read_monomial(), reader_->sign(), reader_->sign(),
+                            read_multiplier()};
+    if (product.multiplier < 0) reader_->refuse("the multiplier of a product is negative");
+    if (product.s == 0) reader_->refuse("the first sign of a product is 0");
+    products.push_back(std::move(product));
+  }
+  reader_->end_line();
+  if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
+  take_claim(variable, claim, judge_.polytope(part_.expansion, variable, multipliers_, products, part_.box));
+}
+
+/// Variables joined by '*', with repetition.
+Monomial ProofReplay::read_monomial() {
+  std::map<std::uint32_t, int> powers;
+  for (const std::size_t variable : reader_->joined_indices(system_->variables(), "variable"))
+    ++powers[static_cast<std::uint32_t>(variable)];
+  return {powers.begin(), powers.end()};
+}
+
+void ProofReplay::open_cases() {
+  const std::size_t variable = reader_->index(system_->variables(), "variable");
+  const double point = reader_->number();
+  reader_->end_line();
+  if (!contains(part_.box[variable], point)) reader_->refuse("the cases part the box outside of itself");
+  cases_.push_back({part_, variable, point, std::nullopt});
+  part_.box[variable].upper = point;
+  judge_.forget_propagation();
+}
+
+void ProofReplay::open_other_case() {
+  reader_->end_line();
+  if (cases_.empty() || cases_.back().first) reader_->refuse("'otherwise' without 'cases'");
+  Cases& cases = cases_.back();
+  cases.first = std::move(part_);
+  part_ = cases.before;
+  part_.box[cases.variable].lower = cases.point;
+  judge_.forget_propagation();
+}
+
+/// What is left of both cases together; expansions are those from before.
+void ProofReplay::join_cases() {
+  reader_->end_line();
+  if (cases_.empty() || !cases_.back().first) reader_->refuse("'join' without 'cases' and 'otherwise'");
+  Cases& cases = cases_.back();
+  Part joined{part_.box, part_.is_empty && cases.first->is_empty, std::move(cases.before.expansion)};
+  if (part_.is_empty) {
+    joined.box = cases.first->box;
+  } else if (!cases.first->is_empty) {
+    for (std::size_t i = 0; i < joined.box.size(); ++i)
+      joined.box[i] = hull(joined.box[i], cases.first->box[i]);
+  }
+  part_ = std::move(joined);
+  cases_.pop_back();
+  judge_.forget_propagation();
+  ++summary_.counts["case distinctions"];
+}
+
+}  // namespace gcslab::verifier

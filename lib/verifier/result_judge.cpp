@@ -1,0 +1,226 @@
+#include "verifier/result_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verifier/box_relations.h"
+
+namespace gcslab::verifier {
+
+ResultJudge::ResultJudge(const EquationSystem& system, const Box& search_box, JudgedSystem& judged,
+                         VerificationReport& report)
+    : system_(&system), search_box_(&search_box), judged_(&judged), report_(&report), prover_(judged) {}
+
+/// Runs a judgement; what it refuses goes to the report.
+template <class Judgement>
+void ResultJudge::attempt(Judgement judgement) {
+  try {
+    judgement();
+  } catch (const Refused& refused) {
+    report_->refusals.push_back({refused.where(), refused.what()});
+  }
+}
+
+void ResultJudge::judge(const nlohmann::json& result) {
+  const JsonPlace root(result, "");
+  attempt([&] { judge_hash(root); });
+  attempt([&] { judge_variables(root); });
+  attempt([&] {
+    for (const JsonPlace& place : root.at("solutions").items()) attempt([&] { judge_solution(place); });
+    judge_distinct(root.at("solutions"));
+  });
+  attempt([&] {
+    for (const JsonPlace& place : root.at("undecided").items()) attempt([&] { judge_undecided(place); });
+  });
+  attempt([&] { note_unchecked(root); });
+  for (const auto& [claim, number] : counts_) report_->checked.push_back({claim, number});
+}
+
+void ResultJudge::judge_hash(const JsonPlace& result) {
+  const JsonPlace hash = result.at("content_hash");
+  if (hash.text() != result_hash(result.value()))
+    hash.refuse("is not the hash of the content: the file was edited");
+  count("content hash");
+}
+
+void ResultJudge::judge_variables(const JsonPlace& result) {
+  const JsonPlace place = result.at("variables");
+  std::vector<std::string> names;
+  for (const JsonPlace& name : place.items()) names.push_back(name.text());
+  if (names != system_->variables) place.refuse("are not the variables of the problem, in its order");
+  count("names of variables");
+}
+
+void ResultJudge::judge_solution(const JsonPlace& place) {
+  if (place.at("kind").word({"real", "complex"}) == "complex") return judge_complex(place);
+  Solution solution;
+  const JsonPlace box = place.at("box");
+  solution.box = box.box(judged_->variables());
+  if (is_disjoint(solution.box, *search_box_)) box.refuse("misses the search box");
+  judge_certificate(place, solution);
+  attempt([&] { judge_multiplicity(place, solution); });
+  attempt([&] { judge_point(place, solution); });
+  attempt([&] { judge_inequalities(place, solution); });
+  solutions_.push_back(std::move(solution));
+}
+
+void ResultJudge::judge_complex(const JsonPlace& place) {
+  if (place.at("certificate").at("claim").word({"unique", "exists", "none"}) != "none")
+    place.refuse("certificates of complex solutions are not proved here");
+  report_->not_checked.push_back(place.pointer() + ": a complex solution without certificate");
+}
+
+void ResultJudge::judge_certificate(const JsonPlace& place, Solution& solution) {
+  const JsonPlace certificate = place.at("certificate");
+  solution.claim = certificate.at("claim").word({"unique", "exists", "none"});
+  if (solution.claim == "none") {
+    if (const auto evidence = certificate.find("evidence"); evidence && !evidence->items().empty())
+      evidence->refuse("is given for a certificate that claims nothing");
+    report_->not_checked.push_back(place.pointer() + ": a solution without certificate");
+    return;
+  }
+  solution.root = prover_.enclose(solution.box);
+  if (!solution.root) place.at("box").refuse("is not proved to contain a root");
+  count("solutions: the box contains a root");
+  const std::optional<JsonPlace> uniqueness = place.find("uniqueness_box");
+  if (solution.claim == "unique" || uniqueness) {
+    const Box widest = uniqueness ? uniqueness->box(judged_->variables()) : solution.box;
+    const JsonPlace where = uniqueness ? *uniqueness : place.at("box");
+    if (!is_subset(solution.box, widest)) where.refuse("does not contain the box of the solution");
+    if (!prover_.has_no_other(widest, *solution.root)) where.refuse("is not proved to contain no other root");
+    count("solutions: the uniqueness box contains no other root");
+    listed_.roots.push_back({*solution.root, widest});
+  }
+  if (const auto evidence = certificate.find("evidence")) {
+    for (const JsonPlace& item : evidence->items()) attempt([&] { judge_evidence(item, solution); });
+  }
+}
+
+/// One theorem applied to one box: the verifier proves the claim, by its own theorem.
+void ResultJudge::judge_evidence(const JsonPlace& evidence, const Solution& solution) {
+  evidence.at("type").text();
+  const std::string claim = evidence.at("claim").word({"unique", "exists", "at_most_one"});
+  const JsonPlace place = evidence.at("box");
+  const Box box = place.box(judged_->variables());
+  if (claim != "at_most_one" && !is_within(solution.root->enclosure, box))
+    place.refuse("is not proved to contain the root");
+  if (claim != "exists" && !prover_.has_no_other(box, *solution.root))
+    place.refuse("is not proved to contain no other root");
+  count("solutions: evidence");
+}
+
+void ResultJudge::judge_multiplicity(const JsonPlace& place, const Solution& solution) {
+  const auto isolated = place.find("isolated");
+  const auto multiplicity = place.find("multiplicity");
+  const bool is_regular = solution.root.has_value();
+  if (isolated && isolated->word({"proved", "no", "unknown"}) != "unknown") {
+    if ((isolated->text() == "proved") != is_regular) isolated->refuse("is not proved");
+    count("solutions: the root is isolated");
+  }
+  if (!multiplicity) return;
+  if (!is_regular) {
+    report_->not_checked.push_back(multiplicity->pointer());
+  } else if (multiplicity->number() != 1) {
+    multiplicity->refuse("is not 1, but the Jacobian at the root is regular");
+  } else {
+    count("solutions: the root is simple");
+  }
+}
+
+void ResultJudge::judge_point(const JsonPlace& place, const Solution& solution) {
+  const JsonPlace where = place.at("point");
+  std::vector<double> point;
+  for (const JsonPlace& coordinate : where.items()) point.push_back(coordinate.number());
+  if (point.size() != solution.box.size()) where.refuse("has not one coordinate a variable");
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    if (!contains(solution.box[i], point[i])) where.refuse("lies outside of the solution's box");
+  }
+  count("solutions: the point lies in the box");
+  const auto residual = place.find("residual");
+  if (residual && !residual->value().is_null()) judge_residual(*residual, point);
+}
+
+/// The largest |f_k| at the point, give or take the rounding errors of doubles.
+void ResultJudge::judge_residual(const JsonPlace& residual, const std::vector<double>& point) {
+  const double claimed = residual.number();
+  RangeBox box;
+  for (const double x : point) box.emplace_back(x);
+  double lower = 0;
+  double upper = 0;
+  for (JudgedFunction& equation : judged_->equations()) {
+    const Interval value = abs(equation.program.evaluate(box)).outward();
+    double error = std::numeric_limits<double>::infinity();
+    if (equation.program.is_defined_everywhere()) {
+      equation.program.gradient();
+      error = equation.program.double_rounding_error();
+    }
+    lower = std::max(lower, value.lower - error);
+    upper = std::max(upper, value.upper + error);
+  }
+  if (!(claimed >= lower * (1 - 1e-9) && claimed <= upper * (1 + 1e-9)))
+    residual.refuse("is not the largest |f| at the point, to rounding");
+  count("solutions: residual");
+}
+
+void ResultJudge::judge_inequalities(const JsonPlace& place, const Solution& solution) {
+  const auto state = place.find("inequalities");
+  if (state) state->word({"proved", "undecided"});
+  const bool claims = state && state->text() == "proved";
+  const RangeBox where = solution.root ? solution.root->enclosure : ranges_of(solution.box);
+  for (JudgedFunction& inequality : judged_->inequalities()) {
+    const Range value = inequality.program.evaluate(where);
+    if (value.is_empty() || mpfr_sgn(value.lower()) > 0) place.refuse("violates an inequality");
+    if (claims && (mpfr_sgn(value.upper()) > 0 || !inequality.program.is_defined_everywhere()))
+      state->refuse("an inequality is not proved");
+    if (claims) count("solutions: inequalities");
+  }
+}
+
+void ResultJudge::judge_distinct(const JsonPlace& solutions) {
+  for (std::size_t i = 0; i < solutions_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!solutions_[i].root || !solutions_[j].root) continue;
+      if (!are_apart(solutions_[i].root->enclosure, solutions_[j].root->enclosure)) {
+        solutions.refuse("lists a root twice: in " + to_string(solutions_[i].box.front()) + " ... and in " +
+                         to_string(solutions_[j].box.front()) + " ...");
+      }
+      count("pairs of solutions: different roots");
+    }
+  }
+}
+
+void ResultJudge::judge_undecided(const JsonPlace& place) {
+  place.at("reason").text();
+  listed_.undecided.push_back(place.at("box").box(judged_->variables()));
+}
+
+void ResultJudge::note_unchecked(const JsonPlace& result) {
+  static const std::vector<std::string> judged = {"content_hash", "variables",    "solutions",
+                                                  "undecided",    "completeness", "status"};
+  for (const auto& [key, value] : result.value().items()) {
+    if (std::ranges::find(judged, key) == judged.end()) report_->not_checked.push_back("/" + key);
+  }
+}
+
+void ResultJudge::judge_summary(const nlohmann::json& result, bool has_proof) {
+  const JsonPlace root(result, "");
+  attempt([&] {
+    const JsonPlace completeness = root.at("completeness");
+    const JsonPlace status = root.at("status");
+    const std::string word = completeness.word({"proved", "probable", "none"});
+    status.word({"complete", "partial", "budget_exhausted", "not_applicable", "failed"});
+    if (word == "proved" && has_proof && !report_->completeness_proved)
+      completeness.refuse("is not proved by the proof file");
+    if (word == "proved" && !has_proof)
+      report_->not_checked.push_back("/completeness: that nothing is missing; give the proof file");
+    if (word == "probable") report_->not_checked.push_back("/completeness: probable");
+    const bool is_complete = word == "proved" && listed_.undecided.empty();
+    if (status.text() == "complete" && !is_complete)
+      status.refuse("is complete, but completeness is not proved or a box is undecided");
+    if (status.text() == "partial" && is_complete)
+      status.refuse("is partial, but completeness is proved and nothing is undecided");
+    report_->checked.push_back({"status and completeness agree", 1});
+  });
+}
+
+}  // namespace gcslab::verifier
