@@ -22,6 +22,7 @@
 #include "experiments/commands/run_command.h"
 #include "experiments/commands/solve_command.h"
 #include "experiments/commands/validate_command.h"
+#include "experiments/commands/verify_command.h"
 #include "experiments/reporting/report.h"
 #include "experiments/tasks/registry.h"
 #include "interval/rounding_self_test.h"
@@ -113,6 +114,7 @@ int main_program(int argc, char** argv) {
   add_solve_command(app, exit_code);
   add_run_command(app, catalogue, exit_code);
   add_report_command(app, catalogue, exit_code);
+  add_verify_command(app, exit_code);
   add_validate_command(app, catalogue, exit_code);
   add_job_command(app, catalogue, exit_code);
   app.parse_complete_callback(check_rounding);

@@ -192,7 +192,7 @@ SearchStart read_pending(const std::filesystem::path& path, const std::string& p
 
 void seal(Json& result) {
   result.erase("content_hash");
-  result["content_hash"] = content_hash(result.dump());
+  result["content_hash"] = content_hash(nlohmann::json(result).dump());
 }
 
 }  // namespace gcslab

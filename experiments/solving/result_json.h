@@ -30,7 +30,7 @@ void write_pending(const std::filesystem::path& path, const std::string& problem
 SearchStart read_pending(const std::filesystem::path& path, const std::string& problem_hash,
                          const Box& search_box);
 
-/// Adds the key "content_hash": the hash of the compact text of everything else.
+/// Adds the key "content_hash": the hash of everything else as compact text with its keys sorted.
 void seal(Json& result);
 
 }  // namespace gcslab

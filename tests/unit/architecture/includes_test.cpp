@@ -34,7 +34,7 @@ const Table& allowed() {
       {"experiments/tasks", {"experiments/solving"}},
       {"experiments/runner", {"experiments/tasks", "experiments/provenance.h"}},
       {"experiments/reporting", {"experiments/runner"}},
-      {"experiments/commands", {"experiments/reporting"}},
+      {"experiments/commands", {"experiments/reporting", "verifier"}},
       {"experiments/microbenchmarks", {"experiments/tasks", "linear_program"}},
       {"experiments/provenance.h", {}},
   };

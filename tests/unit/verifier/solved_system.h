@@ -107,10 +107,15 @@ inline SolvedSystem solved(const EquationSystem& system, const std::string& cont
   SearchOptions options;
   options.proof = &log;
   options.maximum_boxes = maximum_boxes;
-  const ContractorMaker maker = [&](const SystemFunctions& f) {
-    return make_contractor(contractor, f, ContractorSettings());
+  const ContractorMaker maker = [&](const SystemFunctions& f, int bits) {
+    ContractorSettings settings;
+    if (bits > 53) {
+      settings.arithmetic = Arithmetic::mpfr;
+      settings.bits = bits;
+    }
+    return make_contractor(contractor, f, settings);
   };
-  const SearchResult found = search(functions, system.box, {system.box}, maker, options);
+  const SearchResult found = search(functions, system.box, {{system.box}}, maker, options);
   Json solutions = Json::array();
   for (const Solution& solution : found.solutions) solutions.push_back(solution_json(system, solution));
   Json undecided = Json::array();
@@ -127,7 +132,7 @@ inline SolvedSystem solved(const EquationSystem& system, const std::string& cont
                        {"variables", system.variables},
                        {"solutions", solutions},
                        {"undecided", undecided}},
-                      with_hash(text.str())};
+                      text.str()};
   result.sign();
   return result;
 }
