@@ -50,12 +50,12 @@ template <class T>
 class BernsteinContractor final : public Contractor {
  public:
   BernsteinContractor(const SystemFunctions& functions, BernsteinProjection projection, int bits)
-      : functions_(&functions), projection_(projection), bits_(bits), slopes_(made(functions)) {
-    refuse_unless_polynomial(functions);
-    degrees_ = common_degrees(functions);
-    refuse_too_large(functions, degrees_);
-    jacobian_ = Matrix<double>(functions.equations().size(), functions.variables());
-  }
+      : functions_(&functions),
+        projection_(projection),
+        bits_(bits),
+        slopes_(made(functions)),
+        converter_(converter_for(functions, bits)),
+        jacobian_(functions.equations().size(), functions.variables()) {}
 
   bool contract(Box& box, ProofTrace& trace) override {
     if (!std::ranges::all_of(box, is_bounded) || functions_->equations().empty()) return true;
@@ -76,14 +76,26 @@ class BernsteinContractor final : public Contractor {
     return SystemEvaluator<double>(functions);
   }
 
+  static BernsteinConverter<T> converter_for(const SystemFunctions& functions, int bits) {
+    refuse_unless_polynomial(functions);
+    const Exponents degrees = common_degrees(functions);
+    refuse_too_large(functions, degrees);
+    std::vector<Polynomial> polynomials;
+    for (const SystemFunction& equation : functions.equations()) polynomials.push_back(*equation.polynomial);
+    const typename NumberTraits<T>::Scope scope(bits);
+    return BernsteinConverter<T>(polynomials, degrees);
+  }
+
   /// The tensors of all equations, in equal degrees. False: one of them shows that the box has no root.
   bool convert(const Box& box, ProofTrace& trace) {
-    tensors_.clear();
-    const RationalBox exact = rational_box(box);
-    for (std::size_t k = 0; k < functions_->equations().size(); ++k) {
-      tensors_.push_back(
-          bernstein_from_polynomial<T>(*functions_->equations()[k].polynomial, exact, degrees_));
-      if (contains(tensors_.back().range(), 0)) continue;
+    std::vector<T> starts, widths;
+    for (const Interval& side : box) {
+      starts.push_back(NumberTraits<T>::from_interval(Interval(side.lower)));
+      widths.push_back(NumberTraits<T>::from_interval(Interval(side.upper)) - starts.back());
+    }
+    tensors_ = converter_.convert(starts, widths);
+    for (std::size_t k = 0; k < tensors_.size(); ++k) {
+      if (contains(tensors_[k].range(), 0)) continue;
       multipliers_.assign(functions_->equations().size(), 0);
       multipliers_[k] = 1;
       trace.add({Argument::bernstein_row, 0, 0, Interval::empty(), multipliers_});
@@ -150,7 +162,7 @@ class BernsteinContractor final : public Contractor {
   BernsteinProjection projection_;
   int bits_;
   SystemEvaluator<double> slopes_;
-  Exponents degrees_;
+  BernsteinConverter<T> converter_;
   Matrix<double> jacobian_;
   LeastSquaresMultipliers system_;
   bool has_multipliers_ = false;

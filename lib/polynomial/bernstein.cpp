@@ -77,34 +77,6 @@ Rational binomial(int n, int k) {
   return result;
 }
 
-/// The weights W_ik of the coefficient of x^k in Bernstein coefficient i of degree d on [u, u + w]:
-///   W_ik = sum_{j <= min(i, k)} binomial(k, j) binomial(i, j) / binomial(d, j) w^j u^(k-j).
-template <class T>
-std::vector<std::vector<T>> conversion_matrix(int degree, const RationalInterval& x) {
-  const auto count = static_cast<std::size_t>(degree) + 1;
-  std::vector<T> powers_of_start(count, number<T>(1));
-  std::vector<T> powers_of_width(count, number<T>(1));
-  const T start = number<T>(x.lower);
-  const T width = number<T>(x.upper - x.lower);
-  for (std::size_t k = 1; k < count; ++k) {
-    powers_of_start[k] = powers_of_start[k - 1] * start;
-    powers_of_width[k] = powers_of_width[k - 1] * width;
-  }
-  std::vector<std::vector<T>> matrix(count, std::vector<T>(count, number<T>(0)));
-  for (int i = 0; i <= degree; ++i) {
-    for (int k = 0; k <= degree; ++k) {
-      T& weight = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-      for (int j = 0; j <= std::min(i, k); ++j) {
-        const T factor = number<T>(binomial(k, j) * binomial(i, j) / binomial(degree, j));
-        const T powers =
-            powers_of_width[static_cast<std::size_t>(j)] * powers_of_start[static_cast<std::size_t>(k - j)];
-        weight = weight + T(factor * powers);
-      }
-    }
-  }
-  return matrix;
-}
-
 /// Degree raised by one: b'_i = i/(d+1) b_(i-1) + (1 - i/(d+1)) b_i.
 template <class T>
 std::vector<std::vector<T>> elevation_matrix(int degree) {
@@ -256,21 +228,78 @@ BernsteinTensor<T> bernstein_from_polynomial(const Polynomial& polynomial, const
 }
 
 template <class T>
+BernsteinConverter<T>::BernsteinConverter(std::span<const Polynomial> polynomials, const Exponents& degrees)
+    : degrees_(degrees) {
+  for (const Polynomial& polynomial : polynomials) {
+    Tensor<T> tensor(degrees, std::vector<T>(coefficient_count(degrees), number<T>(0)));
+    for (const auto& [exponents, coefficient] : polynomial.terms()) {
+      std::size_t place = 0;
+      for (std::size_t i = 0; i < degrees.size(); ++i)
+        place = place * static_cast<std::size_t>(degrees[i] + 1) + static_cast<std::size_t>(exponents[i]);
+      tensor.coefficients()[place] = number<T>(coefficient);
+    }
+    power_tensors_.push_back(std::move(tensor));
+  }
+  for (const int degree : degrees) {
+    factors_.emplace_back();
+    for (int i = 0; i <= degree; ++i) {
+      for (int k = 0; k <= degree; ++k) {
+        for (int j = 0; j <= std::min(i, k); ++j)
+          factors_.back().push_back(number<T>(binomial(k, j) * binomial(i, j) / binomial(degree, j)));
+      }
+    }
+  }
+}
+
+/// The weights W_ik of the coefficient of x^k in Bernstein coefficient i of degree d on [u, u + w]:
+///   W_ik = sum_{j <= min(i, k)} binomial(k, j) binomial(i, j) / binomial(d, j) w^j u^(k-j).
+template <class T>
+std::vector<std::vector<T>> BernsteinConverter<T>::matrix(std::size_t variable, const T& start,
+                                                          const T& width) const {
+  const auto count = static_cast<std::size_t>(degrees_[variable]) + 1;
+  std::vector<T> powers_of_start(count, number<T>(1));
+  std::vector<T> powers_of_width(count, number<T>(1));
+  for (std::size_t k = 1; k < count; ++k) {
+    powers_of_start[k] = powers_of_start[k - 1] * start;
+    powers_of_width[k] = powers_of_width[k - 1] * width;
+  }
+  std::vector<std::vector<T>> result(count, std::vector<T>(count, number<T>(0)));
+  auto factor = factors_[variable].begin();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t j = 0; j <= std::min(i, k); ++j) {
+        const T powers = powers_of_width[j] * powers_of_start[k - j];
+        result[i][k] = result[i][k] + T(*factor++ * powers);
+      }
+    }
+  }
+  return result;
+}
+
+template <class T>
+std::vector<BernsteinTensor<T>> BernsteinConverter<T>::convert(std::span<const T> starts,
+                                                               std::span<const T> widths) const {
+  std::vector<Tensor<T>> tensors = power_tensors_;
+  for (std::size_t i = 0; i < degrees_.size(); ++i) {
+    const auto count = static_cast<std::size_t>(degrees_[i]) + 1;
+    const std::vector<std::vector<T>> weights = matrix(i, starts[i], widths[i]);
+    for (Tensor<T>& tensor : tensors) tensor = along(tensor, static_cast<int>(i), count, weights);
+  }
+  std::vector<BernsteinTensor<T>> result;
+  for (Tensor<T>& tensor : tensors) result.emplace_back(std::move(tensor));
+  return result;
+}
+
+template <class T>
 BernsteinTensor<T> bernstein_computed_in(const Polynomial& polynomial, const RationalBox& box,
                                          const Exponents& degrees) {
-  const Exponents shape = degrees.empty() ? polynomial.degrees() : degrees;
-  Tensor<T> tensor(shape, std::vector<T>(coefficient_count(shape), number<T>(0)));
-  Exponents index(shape.size(), 0);
-  for (T& value : tensor.coefficients()) {
-    value = number<T>(polynomial.coefficient(index));
-    next_index(index, shape);
+  const BernsteinConverter<T> converter({&polynomial, 1}, degrees.empty() ? polynomial.degrees() : degrees);
+  std::vector<T> starts, widths;
+  for (const RationalInterval& side : box) {
+    starts.push_back(number<T>(side.lower));
+    widths.push_back(number<T>(side.upper - side.lower));
   }
-  for (int i = 0; i < tensor.variables(); ++i) {
-    const auto axis = static_cast<std::size_t>(i);
-    const auto count = static_cast<std::size_t>(shape[axis]) + 1;
-    tensor = along(tensor, i, count, conversion_matrix<T>(shape[axis], box[axis]));
-  }
-  return BernsteinTensor<T>(std::move(tensor));
+  return converter.convert(starts, widths).front();
 }
 
 template <class T>
@@ -285,6 +314,7 @@ template std::pair<Rational, Rational> extreme_coefficients(const BernsteinTenso
 
 #define GCSLAB_INSTANTIATE(T)                                                                     \
   template class BernsteinTensor<T>;                                                              \
+  template class BernsteinConverter<T>;                                                           \
   template BernsteinTensor<T> bernstein_from_polynomial<T>(const Polynomial&, const RationalBox&, \
                                                            const Exponents&);                     \
   template BernsteinTensor<T> bernstein_computed_in<T>(const Polynomial&, const RationalBox&,     \

@@ -15,6 +15,9 @@
 //
 // Compiled for the number types listed at the end of bernstein.cpp; another type is one line there.
 
+#include <span>
+#include <vector>
+
 #include "polynomial/exact_conversion.h"
 #include "polynomial/polynomial.h"
 #include "polynomial/rational_box.h"
@@ -62,6 +65,28 @@ class BernsteinTensor : public Tensor<T> {
 template <class T>
 BernsteinTensor<T> bernstein_from_polynomial(const Polynomial& polynomial, const RationalBox& box,
                                              const Exponents& degrees = {});
+
+/// Converts polynomials to Bernstein form on one box after another, in the arithmetic of T, by the matrices
+/// of the classical formula. What does not depend on the box is computed once. A set-valued T encloses the
+/// exact coefficients, about as tightly as the terms of the polynomial can be summed at the lower corner of
+/// the box.
+template <class T>
+class BernsteinConverter {
+ public:
+  /// `degrees` are at least those of each polynomial.
+  BernsteinConverter(std::span<const Polynomial> polynomials, const Exponents& degrees);
+
+  /// One tensor a polynomial, on the box of the points start + t width, t in [0, 1]^n.
+  std::vector<BernsteinTensor<T>> convert(std::span<const T> starts, std::span<const T> widths) const;
+
+ private:
+  std::vector<std::vector<T>> matrix(std::size_t variable, const T& start, const T& width) const;
+
+  Exponents degrees_;
+  std::vector<Tensor<T>> power_tensors_;
+  /// One a variable: binomial(k, j) binomial(i, j) / binomial(d, j) for i, k <= d, j <= min(i, k), in order.
+  std::vector<std::vector<T>> factors_;
+};
 
 /// Converts in the arithmetic of T, by the matrices of the classical formula: how fast its errors grow with
 /// the degree is what the conditioning study measures. Over a set-valued type it is rigorous all the same.
