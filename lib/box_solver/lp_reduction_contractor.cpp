@@ -21,7 +21,7 @@ class LpReductionContractor final : public Contractor {
   LpReductionContractor(const SystemFunctions& functions, const std::string& backend, LpSafety safety)
       : plan_(functions),
         expansion_(made_in_scope(plan_)),
-        backend_(lp_registry().at(backend).make_with()),
+        backend_(lp_registry().at(backend)),
         options_{.safety = safety, .negligible_gain = 1e-3} {}
 
   /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse, in
@@ -44,7 +44,10 @@ class LpReductionContractor final : public Contractor {
     polytope_->refill(expansion_);
     trace.add({Argument::expansion});
     options_.keep_certificates = trace.wanted();
-    LpReduction reduction(*backend_, options_);
+    // A solver of its own for each box: one that starts from an earlier box's basis would answer differently
+    // after other boxes.
+    const std::unique_ptr<LpBackend> solver = backend_.make_with();
+    LpReduction reduction(*solver, options_);
     const LpReductionResult& result =
         reduction.reduce(polytope_->model(), both_sides(static_cast<int>(box.size())));
     if (result.infeasible) {
@@ -121,7 +124,7 @@ class LpReductionContractor final : public Contractor {
   ExpansionPlan plan_;
   Expansion<FastInterval> expansion_;
   std::optional<BernsteinPolytope> polytope_;  ///< made when first needed
-  std::unique_ptr<LpBackend> backend_;
+  const LpBackendVariant& backend_;
   LpReductionOptions options_;
 };
 

@@ -117,8 +117,12 @@ TYPED_TEST(ExpansionOf, CombinedRowsKeepTheRoot) {
       const TypeParam size = NumberTraits<TypeParam>::from_rational(Rational(random.integer(0, 9)) / 11);
       z.push_back(intersection(hull(centre - size, centre), NumberTraits<TypeParam>::from_interval({-1, 1})));
     }
+    expansion.bound_columns(z);
     for (std::size_t j = 0; j < 3; ++j) {
-      ASSERT_TRUE(encloses(row.solve(j, z), exact[j])) << planted::to_text(box) << " variable " << j;
+      ASSERT_TRUE(encloses(row.solve(j, z, expansion), exact[j]))
+          << planted::to_text(box) << " variable " << j;
+      ASSERT_TRUE(encloses(row.solve_square(j, z, expansion), exact[j]))
+          << planted::to_text(box) << " square of variable " << j;
     }
   }
 }
@@ -135,7 +139,8 @@ TEST(CombinedRow, KnowsTheRangeOfASquareTermWhoseVertexLiesJustBesideTheBox) {
   const Rational offset = rational_from_double(0x1p-100);
   const MpfrInterval start = NumberTraits<MpfrInterval>::from_rational(Rational(1, 3) + offset);
   const std::vector<MpfrInterval> z = {MpfrInterval(Interval(-1, 1)), hull(start, MpfrInterval(Interval(1)))};
-  const MpfrInterval solved = row.solve(0, z);  // x = 2 z_0
+  expansion.bound_columns(z);
+  const MpfrInterval solved = row.solve(0, z, expansion);  // x = 2 z_0
   EXPECT_TRUE(encloses(solved, Rational((Rational(3, 2) - offset * offset) / 2)));
   EXPECT_TRUE(encloses(solved, Rational(19, 36)));
 }

@@ -89,11 +89,11 @@ TEST(KrawczykCertifier, CertifiesRootsThatAreThereAndAlone) {
     NewtonIteration newton(functions, scales);
     const auto approximate = newton.run(around);
     if (!approximate) continue;
-    KrawczykCertifier<FastInterval> certifier(functions, 53);
+    KrawczykCertifier<FastInterval> certifier(functions, scales, 53);
     auto root = certifier.certify(*approximate);
     if (!root) continue;
     ++proofs;
-    certifier.enlarge_uniqueness(*root, *approximate, around, scales);
+    certifier.enlarge_uniqueness(*root, *approximate, around);
     const auto inside = [&](const Box& box) {
       return std::ranges::count_if(counted.roots, [&](const Point& r) { return planted::contains(box, r); });
     };
