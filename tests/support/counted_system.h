@@ -101,7 +101,8 @@ class CountedGenerator {
       if (random_.below(4) == 0) sum = sum * graph.apply(Operation::exp, graph.variable(0));
       result.push_back(sum);
     }
-    std::ranges::rotate(result, result.begin() + static_cast<std::ptrdiff_t>(random_.below(result.size())));
+    const auto first = static_cast<std::ptrdiff_t>(random_.below(result.size()));
+    std::rotate(result.begin(), result.begin() + first, result.end());
     return result;
   }
 
