@@ -17,9 +17,9 @@ Range quadratic_range(const Range& a, const Range& q, const Range& z) {
   mpfr_set(lower_end.upper(), z.lower(), MPFR_RNDN);
   mpfr_set(upper_end.lower(), z.upper(), MPFR_RNDN);
   mpfr_set(upper_end.upper(), z.upper(), MPFR_RNDN);
-  const Range ends = hull(lower_end * (a + q * lower_end), upper_end * (a + q * upper_end));
+  Range ends = hull(lower_end * (a + q * lower_end), upper_end * (a + q * upper_end));
   if (!(a + scaled(2, q * z)).contains_zero()) return ends;
-  const Range direct = intersection(a * z + q * sqr(z), z * (a + q * z));
+  Range direct = intersection(a * z + q * sqr(z), z * (a + q * z));
   if (q.contains_zero()) return direct;
   return intersection(direct, hull(ends, -(sqr(a) / scaled(4, q))));
 }

@@ -1,6 +1,7 @@
 #include "verifier/projection.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace gcslab::verifier {
@@ -24,8 +25,9 @@ Range repeated(const Range& z, const Range& period, const Range& within) {
   const Interval copies = ((within - z) / period).outward();
   if (!is_bounded(copies) || magnitude(copies) > 1e15 || width(copies) > kMaximumCopies) return within;
   Range result = Range::empty();
-  for (double k = std::ceil(copies.lower); k <= copies.upper; ++k)
-    result = hull(result, intersection(z + scaled(k, period), within));
+  const auto last = static_cast<std::int64_t>(std::floor(copies.upper));
+  for (auto k = static_cast<std::int64_t>(std::ceil(copies.lower)); k <= last; ++k)
+    result = hull(result, intersection(z + scaled(static_cast<double>(k), period), within));
   return result;
 }
 
@@ -82,7 +84,7 @@ Range project_acos(const Range& z, const Range& within) {
 
 Range project_atan(const Range& z, const Range& within) {
   const Range quarter = half_pi();
-  const Range inside = intersection(z, hull(-quarter, quarter));
+  Range inside = intersection(z, hull(-quarter, quarter));
   if (inside.is_empty()) return inside;
   // An end of z at a quarter turn stands for every argument beyond.
   const bool reaches_top = mpfr_greaterequal_p(inside.upper(), quarter.lower()) != 0;

@@ -275,7 +275,7 @@ Range power(const Range& x, const Rational& exponent) {
   if (exponent == 0) return 1.0;
   const bool even_root = mpz_even_p(exponent.get_den_mpz_t()) != 0;
   const bool even_power = mpz_even_p(exponent.get_num_mpz_t()) != 0;
-  const Range right = power_of_nonnegative(nonnegative_part(x), exponent);
+  Range right = power_of_nonnegative(nonnegative_part(x), exponent);
   if (even_root || mpfr_sgn(x.lower()) >= 0) return right;
   const Range left = power_of_nonnegative(nonnegative_part(-x), exponent);
   return hull(right, even_power ? left : -left);
@@ -304,7 +304,7 @@ Range tan(const Range& x) {
 Range asin(const Range& x) { return increasing(mpfr_asin, intersection(x, Range(Interval(-1, 1)))); }
 
 Range acos(const Range& x) {
-  const Range domain = intersection(x, Range(Interval(-1, 1)));
+  Range domain = intersection(x, Range(Interval(-1, 1)));
   if (domain.is_empty()) return domain;
   Range result;
   mpfr_acos(result.lower(), domain.upper(), MPFR_RNDD);

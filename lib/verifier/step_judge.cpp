@@ -65,7 +65,7 @@ StepJudge::StepJudge(JudgedSystem& system)
     : system_(&system), expansion_(system), rows_(system.variables()), z_(system.variables()) {}
 
 Range StepJudge::propagated(std::size_t variable, const Box& box) const {
-  const Range side(box[variable]);
+  Range side(box[variable]);
   if (propagated_to_nothing_) return Range::empty();
   for (const std::size_t i : propagated_->variables()) {
     if (i == variable) return intersection(side, propagated_->narrowed(variable));
@@ -77,7 +77,7 @@ Range StepJudge::propagate(bool is_equation, std::size_t function, std::size_t v
                            const Interval& claim) {
   Program& program = (is_equation ? system_->equations() : system_->inequalities())[function].program;
   if (propagated_ == &program) {
-    const Range kept = propagated(variable, box);
+    Range kept = propagated(variable, box);
     if (kept.is_within(claim)) return kept;
   }
   const Range target(is_equation ? Interval(0) : Interval(-kInfinity, 0));
@@ -191,7 +191,7 @@ void StepJudge::compute_slopes(const ExpansionBox& expansion) {
 /// m_i - (g + rest) / G_i of Gauss and Seidel and in m_i - g - rest + (1 - G_i) (x_i - m_i), Krawczyk's form.
 Range StepJudge::mean_value_row(const ExpansionBox& expansion, std::size_t variable,
                                 const std::vector<double>& multipliers, const Box& box) {
-  const Range side(box[variable]);
+  Range side(box[variable]);
   compute_slopes(expansion);
   Range sum;
   RangeBox row(box.size());

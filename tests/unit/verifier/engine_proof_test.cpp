@@ -27,6 +27,10 @@ std::vector<EquationSystem> systems() {
                 {{-2, 2}, {-2, 2}, {-2, 2}}),
       system_of({"x", "y"}, {"x^2 - 2*x*y + y^2", "x + y - 1"}, square(1)),  // double root
       system_of({"x"}, {"x^2 + 1"}, {{-3, 3}}),
+      system_of({"x"}, {"x^2 - 2"}, {Interval::entire()}),
+      system_of({"x", "y"}, {"x*y - 1", "x^2 + y^2 - 4"}, {{0, Interval::entire().upper}, {-5, 5}}),
+      system_of({"x"}, {"x^2 - 2", "x^3 - 2*x"}, {{-3, 3}}),  // more equations than variables
+      system_of({"x", "y"}, {"x^2 + 2*y^2 - 1"}, square(2)),  // and fewer
   };
 }
 
