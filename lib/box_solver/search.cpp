@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "box_solver/box_clusters.h"
 #include "box_solver/inequality_check.h"
 #include "box_solver/node_processor.h"
 #include "box_solver/worker_pool.h"
@@ -70,6 +71,7 @@ class Search {
     for (SearchNode& node : open_) keep_pending(node);
     if (options_.proof != nullptr) options_.proof->finish();
     result_.roots = std::move(roots_);
+    result_.undecided = clustered(std::move(result_.undecided), search_box_);
     return std::move(result_);
   }
 

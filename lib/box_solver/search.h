@@ -58,7 +58,7 @@ struct SearchStatistics {
 struct SearchResult {
   std::vector<CertifiedRoot> roots;     ///< all that were proved, in the search box or near it
   std::vector<Solution> solutions;      ///< those of them that are solutions
-  std::vector<UndecidedBox> undecided;  ///< searched down to the resolution
+  std::vector<UndecidedBox> undecided;  ///< searched down to the resolution; touching ones as their hull
   std::vector<Box> pending;             ///< not searched when the budget ended
   SearchStatistics statistics;
 };

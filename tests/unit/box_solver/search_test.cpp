@@ -155,5 +155,15 @@ TEST(Search, KeepsOnlyRootsThatSatisfyTheInequalities) {
   EXPECT_EQ(result.solutions[0].inequalities, InequalityState::proved);
 }
 
+TEST(Search, GathersTheBoxesAroundAMultipleRoot) {
+  // Two circles that touch from inside at (1, 0).
+  const SystemFunctions functions(system_of({"x", "y"}, {"x^2 + y^2 - 1", "(x - 1/2)^2 + y^2 - 1/4"}));
+  const Box box = {{-2, 2}, {-2, 2}};
+  const SearchResult found = solve(functions, box, "hull+multipliers");
+  EXPECT_TRUE(found.solutions.empty());
+  ASSERT_EQ(found.undecided.size(), 1u);
+  EXPECT_TRUE(contains(found.undecided[0].box[0], 1) && contains(found.undecided[0].box[1], 0));
+}
+
 }  // namespace
 }  // namespace gcslab
