@@ -3,6 +3,15 @@
 #include "linear_program/lp_registry.h"
 
 namespace gcslab {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
 
 std::vector<OptionSpec> SolverMethod::options() const {
   std::vector<std::string> arithmetics;
@@ -10,7 +19,9 @@ std::vector<OptionSpec> SolverMethod::options() const {
   return {
       OptionSpec{
           "contractor",
-          "what shrinks a box: names joined by +, applied in turn to a fixpoint; see gcslab list methods",
+          "what shrinks a box: names joined by + are applied in turn to a fixpoint, one with ? only where it "
+          "has paid; of " +
+              joined(contractor_registry().names()),
           contractor},
       choice_option("arithmetic", "the interval arithmetic of the contractors", "fast", arithmetics),
       integer_option("bits", "precision of the arithmetic mpfr", "bits", 128, 24, 100'000),
