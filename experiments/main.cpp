@@ -16,6 +16,7 @@
 #include "experiments/commands/cover_command.h"
 #include "experiments/commands/describe_command.h"
 #include "experiments/commands/exit_code.h"
+#include "experiments/commands/export_command.h"
 #include "experiments/commands/job_command.h"
 #include "experiments/commands/list_command.h"
 #include "experiments/commands/report_command.h"
@@ -115,6 +116,7 @@ int main_program(int argc, char** argv) {
   add_run_command(app, catalogue, exit_code);
   add_report_command(app, catalogue, exit_code);
   add_verify_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_validate_command(app, catalogue, exit_code);
   add_job_command(app, catalogue, exit_code);
   app.parse_complete_callback(check_rounding);

@@ -12,12 +12,18 @@
 #include "experiments/runner/experiment_config.h"
 #include "experiments/tasks/catalogue.h"
 #include "experiments/tasks/illustrate_task.h"
+#include "expression/system_formats.h"
 
 namespace gcslab {
 namespace {
 
 /// What the file is, when it is good. Throws InputError when it is not.
 std::string checked_kind(const std::string& file, const Catalogue& catalogue) {
+  if (format_of_file(file) != nullptr) {
+    const EquationSystem system = load_problem(file).system;
+    return fmt::format("system of {} equations in {} variables", system.equations.size(),
+                       system.variables.size());
+  }
   const YamlNode root = YamlNode::load_file(file);
   if (root.find("experiment")) {
     const ExperimentConfig config = load_experiment(file, catalogue);

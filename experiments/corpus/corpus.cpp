@@ -68,11 +68,6 @@ std::vector<CorpusEntry> Corpus::configs() const {
 }
 
 fs::path Corpus::problem_path(const std::string& name_or_path) const {
-  const std::string extension = fs::path(name_or_path).extension();
-  if (extension == ".phc" || extension == ".bch" || extension == ".mbx") {
-    throw InputError(name_or_path + ": the format " + extension +
-                     " is not read yet; expected a problem in YAML");
-  }
   if (fs::is_regular_file(name_or_path)) return name_or_path;
   if (fs::is_directory(name_or_path))
     throw InputError(name_or_path + ": is a folder; a problem file was expected");

@@ -9,6 +9,7 @@
 #include "base/yaml_reader.h"
 #include "experiments/corpus/random_polynomial.h"
 #include "expression/printer.h"
+#include "expression/system_formats.h"
 
 namespace gcslab {
 namespace {
@@ -118,6 +119,7 @@ const std::vector<std::string>& function_kinds() {
 }
 
 std::string kind_of_file(const std::filesystem::path& path) {
+  if (format_of_file(path) != nullptr) return "system";
   return YamlNode::load_file(path).at("kind").text();
 }
 
@@ -135,7 +137,21 @@ std::string problem_content_hash(const std::filesystem::path& path) {
   return content_hash(text);
 }
 
+namespace {
+
+/// A system in another format, which says nothing but the system.
+Problem load_foreign(const std::filesystem::path& path) {
+  Problem problem;
+  problem.kind = "system";
+  problem.name = path.stem().string();
+  problem.system = read_system_file(path);
+  return problem;
+}
+
+}  // namespace
+
 Problem load_problem(const std::filesystem::path& path) {
+  if (format_of_file(path) != nullptr) return load_foreign(path);
   const YamlNode file = YamlNode::load_file(path);
   file.allow_keys({"kind", "name", "title", "variables", "equations", "generator", "inequalities", "box",
                    "origin", "licence", "known", "notes"});

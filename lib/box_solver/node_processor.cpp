@@ -47,7 +47,7 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
       jacobian_(functions.equations().size(), functions.variables()) {
   for (const Interval& side : search_box) {
     const double size = is_bounded(side) ? magnitude(side) : 1;
-    scales_.push_back(is_bounded(side) && width(side) > 0 ? radius(side) : 1);
+    scales_.push_back(is_bounded(side) && width(side) > 0 ? std::min(radius(side), 1.0) : 1);
     const bool is_cover = functions.constraints() < functions.variables();
     least_width_.push_back(is_cover && is_bounded(side) ? options.cover_resolution * width(side) : 0);
     least_magnitude_.push_back(1e-3 * std::min(size, 1.0));
@@ -154,7 +154,13 @@ bool NodeProcessor::is_open(std::size_t variable, const Interval& side) const {
 
 void NodeProcessor::cut_or_keep(const SearchNode& node, NodeOutcome& outcome) {
   constexpr int kMaximumStuck = 6;
+  constexpr double kFarOut = 1e100;  // products overflow soon after: no cut would help
   outcome.kind = NodeOutcome::Kind::cut;
+  if (std::ranges::any_of(outcome.box, [](const Interval& side) { return mignitude(side) > kFarOut; })) {
+    outcome.kind = NodeOutcome::Kind::undecided;
+    outcome.reason = "beyond 1e100, where double precision decides nothing";
+    return;
+  }
   if (outcome.stuck > kMaximumStuck) {
     outcome.kind = NodeOutcome::Kind::undecided;
     outcome.reason = "no precision up to maximum_bits decides: perhaps a multiple root";

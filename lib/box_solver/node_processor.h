@@ -84,7 +84,7 @@ class NodeProcessor {
   const SystemFunctions* functions_;
   const ContractorMaker* make_contractor_;
   const SearchOptions* options_;
-  std::vector<double> scales_;           ///< of the variables: the radii of the search box
+  std::vector<double> scales_;           ///< of the variables: the radii of the search box, at most 1
   std::vector<double> least_width_;      ///< narrower sides of a cover are not cut
   std::vector<double> least_magnitude_;  ///< of a variable, for its resolution
   std::unique_ptr<Contractor> contractor_;

@@ -6,10 +6,8 @@
 
 #include "base/check.h"
 #include "base/nearest_name.h"
+#include "expression/constant_enclosure.h"
 #include "expression/parser.h"
-#include "expression/tape.h"
-#include "expression/tape_evaluator.h"
-#include "interval/mpfr_interval.h"
 
 namespace gcslab {
 
@@ -55,18 +53,11 @@ Interval read_interval(const YamlNode& node) {
 }
 
 /// An interval that contains the constant expression that `text` spells.
-Interval constant_enclosure(const std::string& text) {
+Interval enclosure_of_text(const std::string& text) {
   if (text == "inf" || text == "+inf") return {std::numeric_limits<double>::max(), Interval::entire().upper};
   if (text == "-inf") return {Interval::entire().lower, -std::numeric_limits<double>::max()};
   ExpressionGraph graph;
-  const Expression value = parse_expression(graph, text, {});
-  constexpr int kBits =
-      128;  // more than a double, so that the outward rounded ends are almost always the tightest
-  const NumberTraits<MpfrInterval>::Scope scope(kBits);
-  const Tape tape(value, 0);
-  TapeEvaluator<MpfrInterval> evaluator(tape);
-  evaluator.evaluate({});
-  const Interval enclosure = NumberTraits<MpfrInterval>::enclosure(evaluator.value());
+  const Interval enclosure = constant_enclosure(parse_expression(graph, text, {}));
   if (is_empty(enclosure)) throw InputError("\"" + text + "\" is not defined");
   return enclosure;
 }
@@ -74,8 +65,8 @@ Interval constant_enclosure(const std::string& text) {
 }  // namespace
 
 Interval interval_from_texts(const std::string& lower, const std::string& upper) {
-  const Interval low = constant_enclosure(lower);
-  const Interval high = constant_enclosure(upper);
+  const Interval low = enclosure_of_text(lower);
+  const Interval high = enclosure_of_text(upper);
   if (low.lower > high.upper || low.lower == Interval::entire().upper ||
       high.upper == Interval::entire().lower || (lower == "inf") || (upper == "-inf")) {
     throw InputError("the lower end " + lower + " is greater than the upper end " + upper);

@@ -1,12 +1,14 @@
 #include "expression/expression.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/error.h"
 
 namespace gcslab {
 namespace {
 
-/// Constant powers beyond this many bits are refused: nobody writes them on purpose.
+/// Constants that are computed and have more bits are refused: nobody writes them on purpose.
 constexpr std::size_t kMaximumConstantBits = 1 << 16;
 /// So are exponents that no int holds with room to spare.
 constexpr int kMaximumExponent = 1'000'000;
@@ -26,6 +28,26 @@ Rational integer_power(const Rational& base, const mpz_class& exponent) {
   mpz_pow_ui(result.get_den_mpz_t(), base.get_den_mpz_t(), size.get_ui());
   if (exponent < 0) result = 1 / result;
   return result;
+}
+
+Rational folded(Operation operation, const Rational& a, const Rational& b) {
+  switch (operation) {
+    case Operation::add:
+      return a + b;
+    case Operation::subtract:
+      return a - b;
+    case Operation::multiply:
+      return a * b;
+    case Operation::divide:
+      if (b == 0) throw InputError("division by the constant 0");
+      return a / b;
+    case Operation::min:
+      return a < b ? a : b;
+    case Operation::max:
+      return a < b ? b : a;
+    default:
+      GCSLAB_CHECK(false);
+  }
 }
 
 }  // namespace
@@ -109,23 +131,11 @@ Expression ExpressionGraph::apply(Operation operation, Expression a) {
 }
 
 Expression ExpressionGraph::fold(Operation operation, const Rational& a, const Rational& b) {
-  switch (operation) {
-    case Operation::add:
-      return constant(a + b);
-    case Operation::subtract:
-      return constant(a - b);
-    case Operation::multiply:
-      return constant(a * b);
-    case Operation::divide:
-      if (b == 0) throw InputError("division by the constant 0");
-      return constant(a / b);
-    case Operation::min:
-      return constant(a < b ? a : b);
-    case Operation::max:
-      return constant(a < b ? b : a);
-    default:
-      GCSLAB_CHECK(false);
+  const Rational value = folded(operation, a, b);
+  if (bits_of(value) > std::max({kMaximumConstantBits, bits_of(a), bits_of(b)})) {
+    throw InputError("a constant has more than " + std::to_string(kMaximumConstantBits) + " bits");
   }
+  return constant(value);
 }
 
 Expression ExpressionGraph::apply(Operation operation, Expression a, Expression b) {

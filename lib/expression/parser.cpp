@@ -10,9 +10,6 @@
 namespace gcslab {
 namespace {
 
-/// Deeper nesting is refused, so that hostile input cannot exhaust the stack.
-constexpr int kMaximumDepth = 400;
-
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -74,10 +71,13 @@ class Parser {
   Expression sum() {
     Expression result = product();
     while (true) {
+      const std::size_t place = position_;
       if (accept('+')) {
-        result = result + product();
+        const Expression next = product();
+        result = at_place(place, [&] { return result + next; });
       } else if (accept('-')) {
-        result = result - product();
+        const Expression next = product();
+        result = at_place(place, [&] { return result - next; });
       } else {
         return result;
       }
@@ -193,7 +193,7 @@ class Parser {
 
   struct DepthGuard {
     explicit DepthGuard(Parser& owner) : parser(owner) {
-      if (++parser.depth_ > kMaximumDepth) parser.fail("nested too deeply");
+      if (++parser.depth_ > kMaximumNesting) parser.fail("nested too deeply");
     }
     ~DepthGuard() { --parser.depth_; }
     DepthGuard(const DepthGuard&) = delete;

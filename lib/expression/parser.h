@@ -18,6 +18,9 @@
 
 namespace gcslab {
 
+/// Deeper nesting is refused by every reader of expressions, so that hostile input cannot exhaust the stack.
+inline constexpr int kMaximumNesting = 400;
+
 /// Parses an expression in the named variables into `graph`. Throws InputError that quotes the text and tells
 /// the column (from 1) and what was expected.
 Expression parse_expression(ExpressionGraph& graph, std::string_view text,

@@ -1,0 +1,14 @@
+#include "base/yaml_reader.h"
+#include "expression/equation_system.h"
+#include "fuzz/fuzz_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gcslab;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  survive([&] {
+    const EquationSystem system = read_equation_system(YamlNode::parse(text, "fuzz"));
+    check_round_trip(system, "phc");
+    check_round_trip(system, "minibex");
+  });
+  return 0;
+}
