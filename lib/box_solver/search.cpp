@@ -41,8 +41,7 @@ class Search {
  public:
   Search(const SystemFunctions& functions, const Box& search_box, const ContractorMaker& make_contractor,
          const SearchOptions& options)
-      : functions_(functions),
-        search_box_(search_box),
+      : search_box_(search_box),
         options_(options),
         inequalities_(functions),
         pool_(options.threads, [&] {
@@ -195,7 +194,6 @@ class Search {
     if (options_.proof != nullptr) options_.proof->root(number, root);
   }
 
-  const SystemFunctions& functions_;
   const Box& search_box_;
   const SearchOptions& options_;
   InequalityCheck inequalities_;
