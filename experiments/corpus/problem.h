@@ -54,7 +54,8 @@ std::string problem_content_hash(const std::filesystem::path& path);
 /// Throws InputError when a known point does not lie on the set, exactly, or in the box.
 void check_known_points(const Problem& problem);
 
-/// Reads a problem of one of the function kinds, or a system in a format of expression/system_formats.h. Throws InputError with file and line.
+/// Reads a problem of one of the function kinds, or a system in a format of expression/system_formats.h.
+/// Throws InputError with file and line.
 Problem load_problem(const std::filesystem::path& path);
 
 }  // namespace gcslab

@@ -49,8 +49,7 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   result.timings["wall_s"] = watch.wall_s();
   result.timings["cpu_s"] = watch.cpu_s();
   result.status = found.status;
-  if (found.status == Status::budget_exhausted)
-    result.reason = "boxes were left when the budget ended";
+  if (found.status == Status::budget_exhausted) result.reason = "boxes were left when the budget ended";
   result.values["solutions"] = found.search.solutions.size();
   if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
   result.values["undecided"] = found.search.undecided.size();

@@ -41,10 +41,7 @@ class Search {
  public:
   Search(const SystemFunctions& functions, const Box& search_box, const ContractorMaker& make_contractor,
          const SearchOptions& options)
-      : search_box_(search_box),
-        options_(options),
-        inequalities_(functions),
-        pool_(options.threads, [&] {
+      : search_box_(search_box), options_(options), inequalities_(functions), pool_(options.threads, [&] {
           return std::make_unique<NodeProcessor>(functions, search_box, make_contractor, options);
         }) {}
 
