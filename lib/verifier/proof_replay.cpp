@@ -92,37 +92,49 @@ bool ProofReplay::violates_inequality(const RangeBox& root) {
   return false;
 }
 
-ProofReplay::KnownRoot ProofReplay::judged_root(EnclosedRoot root) {
-  const RangeBox& where = root.enclosure;
-  bool is_accounted_for = are_apart(where, ranges_of(*search_box_)) || violates_inequality(where);
-  for (const ListedRoot& other : listed_->roots) {
-    is_accounted_for = is_accounted_for || is_within(where, other.uniqueness_box);
-  }
-  return {std::move(root), {}, is_accounted_for};
+/// Whether a known root needs not be looked for any more: it is listed, or no solution in the search box.
+bool ProofReplay::is_accounted_for(const KnownRoot& known) {
+  const RangeBox& where = known.root.enclosure;
+  if (are_apart(where, ranges_of(*search_box_)) || violates_inequality(where)) return true;
+  // One root in the uniqueness box of the other: there is no second one.
+  return std::ranges::any_of(listed_->roots, [&](const ListedRoot& other) {
+    return is_within(where, other.uniqueness_box) || lies_in_any(other.root, known.uniqueness_boxes);
+  });
 }
 
-/// A root, or a further box for a known one.
+bool ProofReplay::lies_in_any(const EnclosedRoot& root, const std::vector<Box>& boxes) {
+  return std::ranges::any_of(boxes, [&](const Box& box) { return is_within(root.enclosure, box); });
+}
+
+/// A root, or further boxes for a known one.
 void ProofReplay::read_root() {
   const std::uint64_t number = reader_->integer();
   const Box box = reader_->box(system_->variables());
   if (reader_->word() != "U") reader_->refuse("expected U and the uniqueness box");
   const Box uniqueness_box = reader_->box(system_->variables());
   reader_->end_line();
-  judge_.forget_propagation();
-  auto known = roots_.find(number);
-  if (known == roots_.end()) {
-    std::optional<EnclosedRoot> root = prover_.enclose(box);
-    if (!root) reader_->refuse("no root is proved to lie in this box");
-    known = roots_.emplace(number, judged_root(std::move(*root))).first;
-  }
-  if (!is_within(known->second.root.enclosure, box) && !prover_.enclose(box))
-    reader_->refuse("no root is proved to lie in this box");
-  // Where the uniqueness box contains the box, its only root is the one in the box.
   if (!is_subset(box, uniqueness_box)) reader_->refuse("the uniqueness box does not contain the box");
-  if (!prover_.has_no_other(uniqueness_box, known->second.root))
+  judge_.forget_propagation();
+  KnownRoot& known = roots_[number];
+  const bool is_new = known.uniqueness_boxes.empty();
+  EnclosedRoot root = known.root;
+  if (is_new || !is_within(root.enclosure, box)) root = enclosed_root(box);
+  if (!prover_.has_no_other(uniqueness_box, root))
     reader_->refuse("the uniqueness box is not proved to contain this root and no other");
-  known->second.uniqueness_boxes.push_back(uniqueness_box);
+  if (is_new) {
+    known.root = std::move(root);
+  } else if (!lies_in_any(root, known.uniqueness_boxes) && !is_within(known.root.enclosure, uniqueness_box)) {
+    reader_->refuse("this is not proved to be the root of that number");
+  }
+  known.uniqueness_boxes.push_back(uniqueness_box);
+  known.is_accounted_for = known.is_accounted_for || is_accounted_for(known);
   ++summary_.counts["roots and their uniqueness boxes"];
+}
+
+EnclosedRoot ProofReplay::enclosed_root(const Box& box) {
+  std::optional<EnclosedRoot> root = prover_.enclose(box);
+  if (!root) reader_->refuse("no root is proved to lie in this box");
+  return std::move(*root);
 }
 
 void ProofReplay::read_node() {

@@ -60,7 +60,7 @@ class ProofReplay {
   struct KnownRoot {
     EnclosedRoot root;
     std::vector<Box> uniqueness_boxes;
-    bool is_accounted_for;  ///< listed, or proved to be no solution in the search box
+    bool is_accounted_for = false;  ///< listed, or proved to be no solution in the search box
   };
 
   void read_header();
@@ -89,7 +89,9 @@ class ProofReplay {
   void end_cut();
   void open_box(std::uint64_t id, const Box& box);
 
-  KnownRoot judged_root(EnclosedRoot root);
+  EnclosedRoot enclosed_root(const Box& box);
+  bool is_accounted_for(const KnownRoot& known);
+  static bool lies_in_any(const EnclosedRoot& root, const std::vector<Box>& boxes);
   bool violates_inequality(const RangeBox& root);
 
   JudgedSystem* system_;

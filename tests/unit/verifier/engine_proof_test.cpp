@@ -31,6 +31,8 @@ std::vector<EquationSystem> systems() {
       system_of({"x", "y"}, {"x*y - 1", "x^2 + y^2 - 4"}, {{0, Interval::entire().upper}, {-5, 5}}),
       system_of({"x"}, {"x^2 - 2", "x^3 - 2*x"}, {{-3, 3}}),  // more equations than variables
       system_of({"x", "y"}, {"x^2 + 2*y^2 - 1"}, square(2)),  // and fewer
+      // Roots with y = 0, which propagation approaches down to numbers of any size.
+      system_of({"x", "y"}, {"-4/7 - 2*x*y + y - 7/5*y^3 + 11/6*x^2", "17/8*x^2*y - 15/8*y^2"}, square(2)),
   };
 }
 
