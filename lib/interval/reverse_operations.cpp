@@ -190,9 +190,46 @@ T reverse_log(const T& z, const T& within) {
   return intersection(exp(z), within);
 }
 
+/// Encloses asin, quickly and a few units wider than need be: the sine of a guess decides on which side of
+/// the arc sine it lies.
+FastInterval arc_sine(FastInterval z) {
+  const FastInterval inside = intersection(z, FastInterval(-1, 1));
+  if (inside.is_empty()) return inside;
+  constexpr double kPart = 4e-16;
+  constexpr double kQuarter = 1.57;  // guesses stay where the sine increases
+  const double size = std::fabs(std::asin(inside.lower())) + std::fabs(std::asin(inside.upper()));
+  const double lower = std::asin(inside.lower()) - kPart * size;
+  const double upper = std::asin(inside.upper()) + kPart * size;
+  const bool is_safe = lower >= -kQuarter && upper <= kQuarter &&
+                       sin(FastInterval(lower)).upper() <= inside.lower() &&
+                       sin(FastInterval(upper)).lower() >= inside.upper();
+  return is_safe ? FastInterval(lower, upper) : asin(inside);
+}
+
+/// The same for acos.
+FastInterval arc_cosine(FastInterval z) {
+  const FastInterval inside = intersection(z, FastInterval(-1, 1));
+  if (inside.is_empty()) return inside;
+  constexpr double kPart = 1e-15;
+  const double lower = std::acos(inside.upper()) * (1 - kPart);
+  const double upper = std::acos(inside.lower()) * (1 + kPart);
+  const bool is_safe = lower >= 0 && upper <= 3.14 && cos(FastInterval(lower)).lower() >= inside.upper() &&
+                       cos(FastInterval(upper)).upper() <= inside.lower();
+  return is_safe ? FastInterval(lower, upper) : acos(inside);
+}
+
+template <class T>
+T arc_sine(const T& z) {
+  return asin(z);
+}
+template <class T>
+T arc_cosine(const T& z) {
+  return acos(z);
+}
+
 template <SetNumber T>
 T reverse_sin(const T& z, const T& within) {
-  const T angle = asin(z);
+  const T angle = arc_sine(z);
   const T pi = NumberTraits<T>::pi();
   const T period = pi + pi;
   return hull(repeated_within<T>(angle, period, within), repeated_within<T>(pi - angle, period, within));
@@ -200,7 +237,7 @@ T reverse_sin(const T& z, const T& within) {
 
 template <SetNumber T>
 T reverse_cos(const T& z, const T& within) {
-  const T angle = acos(z);
+  const T angle = arc_cosine(z);
   const T pi = NumberTraits<T>::pi();
   const T period = pi + pi;
   return hull(repeated_within<T>(angle, period, within), repeated_within<T>(-angle, period, within));
