@@ -26,6 +26,23 @@ bool is_one_of_three_forms(std::string_view name, std::string_view lower_case) {
   return name == lower_case || name == capitalised(lower_case) || name == upper_case(lower_case);
 }
 
+bool has_variables(Expression e) {
+  const std::vector<bool> reached = reachable_from(std::span(&e, 1));
+  for (std::uint32_t i = 0; i < reached.size(); ++i) {
+    if (reached[i] && e.graph().node(i).operation() == Operation::variable) return true;
+  }
+  return false;
+}
+
+Interval enclosure_of_end(const std::optional<Expression>& end) {
+  if (!end) return Interval::entire();
+  if (end->is_constant()) return constant_enclosure(*end);
+  if (has_variables(*end)) throw InputError("the interval has variables in it; expected constant ends");
+  const Interval result = constant_enclosure(*end);
+  if (is_empty(result)) throw InputError("an end of the interval is not defined");
+  return result;
+}
+
 long place_along(const Dimension& dimension, const Index& index) {
   const long least = dimension.first.value_or(index.style == IndexStyle::parentheses ? 1 : 0);
   const long place = index.value - least;
@@ -64,20 +81,14 @@ std::size_t place_of(const Shape& shape, std::span<const Index> indices) {
 }
 
 Interval enclosure(const Range& range) {
-  Interval result = Interval::entire();
-  Interval low = result;
-  Interval high = result;
-  if (range.lower) low = constant_enclosure(*range.lower);
-  if (range.upper) high = constant_enclosure(*range.upper);
-  if (is_empty(low) || is_empty(high)) throw InputError("an end of the interval is not defined");
+  const Interval low = enclosure_of_end(range.lower);
+  const Interval high = enclosure_of_end(range.upper);
   const bool both_exact =
       range.lower && range.upper && range.lower->is_constant() && range.upper->is_constant();
   const bool is_disordered =
       both_exact ? range.lower->constant() > range.upper->constant() : low.lower > high.upper;
   if (is_disordered) throw InputError("the lower end of the interval is greater than the upper end");
-  if (range.lower) result.lower = low.lower;
-  if (range.upper) result.upper = high.upper;
-  return result;
+  return {low.lower, high.upper};
 }
 
 const Symbol* Scope::find(std::string_view name) const {
@@ -88,7 +99,7 @@ const Symbol* Scope::find(std::string_view name) const {
   return nullptr;
 }
 
-bool Scope::define(std::string_view name, Symbol symbol) {
+bool Scope::define(std::string_view name, Symbol&& symbol) {
   return symbols_.try_emplace(std::string(name), std::move(symbol)).second;
 }
 

@@ -143,6 +143,13 @@ TEST(MinibexReader, AConstraintMayAskForARange) {
   EXPECT_EQ(texts(system.inequalities, system), (Texts{"1 - x*y", "x*y - 2", "x - 3", "1/2 - y"}));
 }
 
+TEST(MinibexReader, RangesHaveConstantEnds) {
+  EXPECT_EQ(equations("for i=1:2; v(i) in [i, i]; end"), (Texts{"v_1 - 1", "v_2 - 2"}));
+  EXPECT_NE(constraint_error("x in [0, y];").find("expected constant ends"), std::string::npos);
+  EXPECT_NE(constraint_error("x in y + 1;").find("expected constant ends"), std::string::npos);
+  EXPECT_NE(constraint_error("x in [2, 1];").find("greater"), std::string::npos);
+}
+
 TEST(MinibexReader, CoefficientsAreNumbers) {
   const std::string constants = "Constants wide in [0, 1]; point in [2, 2.0]; Variables x; Constraints ";
   EXPECT_EQ(error(constants + "wide*x = 0; end"),
