@@ -43,7 +43,7 @@ Token ExpressionReader::new_name(const std::string& what) {
   return tokens_.next();
 }
 
-void ExpressionReader::define(Scope& scope, const Token& name, Symbol symbol) {
+void ExpressionReader::define(Scope& scope, const Token& name, Symbol&& symbol) {
   if (!scope.define(name.text, std::move(symbol))) {
     tokens_.fail(name.line, described(name) + " is defined twice; expected a new name");
   }

@@ -32,7 +32,7 @@ class ExpressionReader {
   void charge(std::size_t steps);
 
   /// A new name in a scope; fails for reserved words and for names that the scope has.
-  void define(Scope& scope, const Token& name, Symbol symbol);
+  void define(Scope& scope, const Token& name, Symbol&& symbol);
   /// Takes the next word, which must be a name that the user may choose.
   Token new_name(const std::string& what);
 

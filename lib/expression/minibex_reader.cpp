@@ -1,5 +1,6 @@
 #include "expression/minibex_reader.h"
 
+#include <fmt/format.h>
 #include <set>
 #include <utility>
 
@@ -143,7 +144,7 @@ class MinibexReader {
       std::size_t rest = place;
       for (auto dimension = declaration.shape.rbegin(); dimension != declaration.shape.rend(); ++dimension) {
         const auto size = static_cast<std::size_t>(dimension->size);
-        suffix = "_" + std::to_string(static_cast<long>(rest % size) + dimension->first.value_or(1)) + suffix;
+        suffix.insert(0, fmt::format("_{}", static_cast<long>(rest % size) + dimension->first.value_or(1)));
         rest /= size;
       }
       system_.variables.push_back(free_variable_name(std::string(declaration.name.text) + suffix, taken));

@@ -103,7 +103,7 @@ class Scope {
   /// The meaning of a name, or nullptr.
   const Symbol* find(std::string_view name) const;
   /// False when this very scope has the name already.
-  bool define(std::string_view name, Symbol symbol);
+  bool define(std::string_view name, Symbol&& symbol);
   const std::map<std::string, Symbol, std::less<>>& own() const { return symbols_; }
   std::vector<std::string> known_names() const;
 

@@ -64,7 +64,7 @@ std::string power_of_two(char sign, unsigned long exponent) {
 std::string exact_text(double value) {
   if (std::isinf(value)) return value < 0 ? "-oo" : "+oo";
   const Rational exact = rational_from_double(value);
-  const std::string shortest = fmt::format("{}", value);
+  std::string shortest = fmt::format("{}", value);
   if (rational_from_text(shortest) == exact) return shortest;
   const unsigned long halvings = mpz_scan1(exact.get_den_mpz_t(), 0);
   if (halvings > 0) return exact.get_num().get_str() + power_of_two('/', halvings);

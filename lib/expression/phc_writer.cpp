@@ -21,7 +21,7 @@ constexpr std::size_t kMaximumExponent = 300;
 constexpr std::size_t kMaximumNameLength = 80;
 
 std::string natural_text(const mpz_class& value) {
-  const std::string digits = value.get_str();
+  std::string digits = value.get_str();
   if (digits.size() <= kMaximumDigits) return digits;
   if (digits.size() > kMaximumExponent) {
     throw NotApplicable("PHCpack has no number of " + std::to_string(digits.size()) + " digits");
