@@ -222,5 +222,31 @@ TEST_F(Solve, StopsInTimeAndListsWhatIsLeft) {
   EXPECT_GE(result["undecided"].size(), 1u);
 }
 
+TEST_F(Solve, WritesResultsAndProofsThatVerifyAcceptsUntilTheyAreEdited) {
+  problem("p.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-2, 2], y: [-2, 2]");
+  ASSERT_EQ(shell("$gcslab solve p.yaml --json r.json --proof r.proof").exit_code, 0);
+  const Answer accepted = shell("$gcslab verify r.json --proof r.proof");
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  EXPECT_TRUE(has(accepted.out, "nothing is missing")) << accepted.out;
+  const Answer edited = shell("sed 's/\"real\"/\"complex\"/' r.json > e.json && $gcslab verify e.json");
+  EXPECT_EQ(edited.exit_code, 1) << edited.out;
+  const Answer shortened = shell("head -n 8 r.proof > s.proof && $gcslab verify r.json --proof s.proof");
+  EXPECT_EQ(shortened.exit_code, 1) << shortened.out;
+  EXPECT_EQ(shell("$gcslab verify p.yaml").exit_code, 2);
+}
+
+TEST_F(Solve, ReadsWhatExportWrites) {
+  problem("p.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-2, 2], y: [-2, 2]");
+  ASSERT_EQ(shell("$gcslab export p.yaml --to minibex --out p.mbx").exit_code, 0);
+  ASSERT_EQ(shell("$gcslab export p.yaml --to phc --out p.phc").exit_code, 0);
+  EXPECT_EQ(solved("p.mbx")["solutions"].size(), 2u);
+  EXPECT_EQ(solved("p.phc")["solutions"].size(), 2u);  // on the whole plane
+  const Answer misspelt = shell("$gcslab export p.yaml --to minibx");
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_TRUE(has(misspelt.err, "minibex")) << misspelt.err;
+  problem("t.yaml", "x", "\"exp(x) - 2\"", "x: [0, 1]");
+  EXPECT_EQ(shell("$gcslab export t.yaml --to phc").exit_code, 4);
+}
+
 }  // namespace
 }  // namespace gcslab
