@@ -128,7 +128,7 @@ void check_outputs(const Settings& settings) {
   }
 }
 
-int run(Settings settings) {
+int run(const Settings& settings) {
   Problem problem = load_system(settings.problem);
   if (!settings.box.empty())
     problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);

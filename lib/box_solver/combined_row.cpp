@@ -29,9 +29,9 @@ T quadratic_range(const T& a, const T& q, const T& z) {
     const T point = number<T>(end);
     return point * (a + q * point);
   };
-  const T ends = hull(value_at(side.lower), value_at(side.upper));
+  T ends = hull(value_at(side.lower), value_at(side.upper));
   if (!contains(NumberTraits<T>::enclosure(slope), 0)) return ends;
-  const T direct = intersection(a * z + q * sqr(z), z * (a + q * z));
+  T direct = intersection(a * z + q * sqr(z), z * (a + q * z));
   if (contains(NumberTraits<T>::enclosure(q), 0)) return direct;
   return intersection(direct, hull(ends, -(sqr(a) / (number<T>(4) * q))));
 }

@@ -26,7 +26,7 @@ struct ScaledMonomial {
     std::uint32_t variable;
     int power;
     bool operator==(const Factor&) const = default;
-    auto operator<=>(const Factor&) const = default;
+    auto operator<=>(const Factor&) const = default;  // NOLINT: a false alarm about nullptr
   };
   std::vector<Factor> factors;
 
@@ -61,7 +61,7 @@ class ExpansionPlan {
     std::uint32_t parent;
     std::uint32_t variable;
     int power;
-    auto operator<=>(const Product&) const = default;
+    auto operator<=>(const Product&) const = default;  // NOLINT: a false alarm about nullptr
   };
   struct Term {
     std::uint32_t coefficient;

@@ -84,8 +84,10 @@ T repeated_within(const T& z, const T& period, const T& within) {
   T result = NumberTraits<T>::from_interval(Interval::empty());
   if (is_empty(copies)) return result;
   if (!is_bounded(copies) || width(copies) > kMaximumCopies || magnitude(copies) > 1e15) return within;
-  for (double k = std::ceil(copies.lower); k <= copies.upper; ++k) {
-    result = hull(result, intersection(z + NumberTraits<T>::from_interval(k) * period, within));
+  const double first = std::ceil(copies.lower);
+  for (int i = 0; first + i <= copies.upper; ++i) {
+    const T shift = NumberTraits<T>::from_interval(Interval(first + i)) * period;
+    result = hull(result, intersection(z + shift, within));
   }
   return result;
 }
@@ -150,7 +152,7 @@ template <SetNumber T>
 T reverse_power(const T& z, const Rational& exponent, const T& within) {
   if (exponent == 0) return within;
   if constexpr (std::is_same_v<T, FastInterval>) {
-    if (exponent > 0 && exponent <= 64 && exponent.get_den() == 1)
+    if (exponent > 0 && exponent <= 64 && exponent.get_den() == 1)  // NOLINT: the macros of GMP compare twice
       return quick_root(z, static_cast<int>(exponent.get_num().get_si()), within);
   }
   const Rational inverse = 1 / exponent;
@@ -265,7 +267,7 @@ template <SetNumber T>
 T reverse_atan(const T& z, const T& within) {
   const T quarter = NumberTraits<T>::pi() * NumberTraits<T>::from_rational(Rational(1, 2));
   // An end of z at a quarter turn stands for every argument beyond: tan of its enclosure has a pole there.
-  const T inside = intersection(z, hull(-quarter, quarter));
+  T inside = intersection(z, hull(-quarter, quarter));
   const Interval ends = NumberTraits<T>::enclosure(inside);
   if (is_empty(ends)) return inside;
   const Interval border = NumberTraits<T>::enclosure(quarter);
