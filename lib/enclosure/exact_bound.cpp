@@ -2,7 +2,7 @@
 // (Garloff 1986; Smith 2009).
 
 #include <algorithm>
-#include <queue>
+#include <vector>
 
 #include "enclosure/bound_registry.h"
 #include "enclosure/dyadic_slack.h"
@@ -29,34 +29,76 @@ double least_corner(const Coefficients& tensor) {
   return least;
 }
 
+/// The hull of the differences of neighbouring coefficients along the variable; degree times it encloses the
+/// partial derivative. An upward scope must be open.
+Interval steps(const Coefficients& tensor, int variable) {
+  const AxisShape shape = tensor.shape(variable);
+  const FastInterval* from = tensor.coefficients().data();
+  Interval hull(0);
+  for (std::size_t block = 0, i = 0; block < shape.blocks; ++block, i += shape.row) {
+    for (const std::size_t last = i + (shape.count - 1) * shape.row; i < last; ++i) {
+      const FastInterval step = from[i + shape.row] - from[i];
+      hull = {std::min(hull.lower, step.lower()), std::max(hull.upper, step.upper())};
+    }
+  }
+  return hull;
+}
+
+/// What is left to be searched for the least value, and the variable to split there.
+struct Part {
+  Coefficients tensor;
+  int widest = 0;
+  double lower = 0;
+};
+
+/// Moves to the face where f is least in each variable in which it is monotone. An upward scope must be open.
+Part part_of(Coefficients tensor) {
+  Part part{std::move(tensor)};
+  double most = -1;
+  for (int variable = 0; variable < part.tensor.variables();) {
+    const Interval change = steps(part.tensor, variable);
+    if (change.lower >= 0 || change.upper <= 0) {
+      part.tensor = part.tensor.face(variable, change.lower >= 0 ? Side::lower : Side::upper);
+      variable = 0;
+      most = -1;
+      continue;
+    }
+    const double size = part.tensor.degree(variable) * (change.upper - change.lower);
+    if (size > most) {
+      most = size;
+      part.widest = variable;
+    }
+    ++variable;
+  }
+  part.lower = part.tensor.range().lower;
+  return part;
+}
+
 /// A lower bound of f, raised by splitting the part with the least bound until f is known to come near it. An
 /// upward scope must be open.
 double refined_lower_bound(const Coefficients& root, const Effort& effort) {
-  struct Part {
-    double lower;
-    std::shared_ptr<const Coefficients> tensor;
-    int next_variable;
-  };
-  const auto later = [](const Part& a, const Part& b) { return a.lower > b.lower; };
-  std::priority_queue<Part, std::vector<Part>, decltype(later)> parts(later);
   const Interval whole = root.range();
-  parts.push({whole.lower, std::make_shared<Coefficients>(root), 0});
-  double attained = least_corner(root);
   const double tolerance = effort.tolerance * (whole.upper - whole.lower);
+  const auto later = [](const Part& a, const Part& b) { return a.lower > b.lower; };
+  std::vector<Part> parts;  // a heap, the least bound first
+  parts.push_back(part_of(root));
+  double attained = least_corner(parts.front().tensor);
   for (std::int64_t split = 0; split < effort.splits; ++split) {
-    const Part part = parts.top();
-    if (attained - part.lower <= tolerance) break;
-    parts.pop();
+    if (attained - parts.front().lower <= tolerance || parts.front().tensor.variables() == 0) break;
+    std::pop_heap(parts.begin(), parts.end(), later);
+    const Part part = std::move(parts.back());
+    parts.pop_back();
     Coefficients lower, upper;
-    part.tensor->halve(part.next_variable, lower, upper);
-    for (Coefficients* half : {&lower, &upper}) {
-      attained = std::min(attained, least_corner(*half));
-      const double bound = std::max(part.lower, half->range().lower);
-      parts.push({bound, std::make_shared<Coefficients>(std::move(*half)),
-                  (part.next_variable + 1) % root.variables()});
+    part.tensor.halve(part.widest, lower, upper);
+    for (Coefficients* tensor : {&lower, &upper}) {
+      Part half = part_of(std::move(*tensor));
+      half.lower = std::max(part.lower, half.lower);
+      attained = std::min(attained, least_corner(half.tensor));
+      parts.push_back(std::move(half));
+      std::push_heap(parts.begin(), parts.end(), later);
     }
   }
-  return parts.top().lower;
+  return parts.front().lower;
 }
 
 Coefficients negated(Coefficients tensor) {

@@ -187,11 +187,12 @@ T BernsteinTensor<T>::evaluate(const std::vector<Rational>& point) const {
 
 template <class T>
 const T& BernsteinTensor<T>::corner(std::size_t corner) const {
-  Exponents index = this->degrees_;
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    if (((corner >> i) & 1U) == 0) index[i] = 0;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < this->degrees_.size(); ++i) {
+    const auto last = static_cast<std::size_t>(this->degrees_[i]);
+    place = place * (last + 1) + (((corner >> i) & 1U) == 0 ? 0 : last);
   }
-  return this->at(index);
+  return this->coefficients_[place];
 }
 
 template <class T>
