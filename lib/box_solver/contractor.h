@@ -7,17 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "box_solver/experience.h"
 #include "box_solver/proof_step.h"
 #include "certification/system_functions.h"
 #include "interval/interval.h"
 
 namespace gcslab {
 
-/// What a composition knows from the boxes above in the search tree: which of its dear parts paid.
-using ContractorMemory = std::uint32_t;
-
-/// A contractor belongs to one thread. Its result depends on the box and, for compositions, on the memory
-/// handed down from the box above, but on nothing else.
+/// A contractor belongs to one thread. Its result depends on the box and, for compositions, on what they are
+/// told of the search, but on nothing else.
 class Contractor {
  public:
   virtual ~Contractor() = default;
@@ -25,9 +23,10 @@ class Contractor {
   /// The rough number of arithmetic operations of a call, for weighing one contractor against another; 0:
   /// next to nothing.
   virtual double cost() const { return 0; }
-  /// Before `contract`: the memory of the box above. After it: what to hand down.
-  virtual void recall(ContractorMemory) {}
-  virtual ContractorMemory memory() const { return 0; }
+  /// Before `contract`: what the search has met, and the number of the box. `so_far` must live through it.
+  virtual void learn(const Experience& /*so_far*/, std::uint64_t /*box_number*/) {}
+  /// After it: what this box adds.
+  virtual Experience experience() const { return {}; }
 
   /// Shrinks `box`, which is bounded or not, but not empty. Promise: every solution of the system in the box
   /// before is in the box after. False means that there is none; the box is then without meaning. Each

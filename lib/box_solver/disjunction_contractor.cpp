@@ -25,7 +25,8 @@ class DisjunctionContractor final : public Contractor {
   double cost() const override {
     const std::size_t taken =
         options_.is_adaptive ? static_cast<std::size_t>(2 * options_.patience) : variables_;
-    return static_cast<double>(taken) * options_.slices * inner_->cost();
+    constexpr int kOuterSlices = 2;  // where these leave the whole side, no others are tried
+    return static_cast<double>(taken) * kOuterSlices * inner_->cost();
   }
 
   bool contract(Box& box, ProofTrace& trace) override {

@@ -41,17 +41,28 @@ ScaledMonomial monomial_of(const Exponents& exponents) {
 
 }  // namespace
 
-ExpansionPlan::ExpansionPlan(const SystemFunctions& functions) : functions_(&functions), products_(1) {
+ExpansionPlan::ExpansionPlan(const SystemFunctions& functions, ExpandedFunctions which)
+    : functions_(&functions), products_(1) {
   for (std::size_t i = 0; i < functions.variables(); ++i) {
     Exponents exponents(functions.variables(), 0);
     exponents[i] = 1;
     static_cast<void>(column_of(exponents));
   }
-  for (const SystemFunction& equation : functions.equations()) {
-    rows_.emplace_back();
-    if (equation.polynomial && expansion_terms(*equation.polynomial) <= kMaximumTerms)
-      add_row(expanded(*equation.polynomial));
-  }
+  for (const SystemFunction& equation : functions.equations()) add_row(equation);
+  equation_columns_ = columns_.size();
+  if (which == ExpandedFunctions::equations) return;
+  for (const SystemFunction& inequality : functions.inequalities()) add_row(inequality);
+}
+
+const SystemFunction& ExpansionPlan::function(std::size_t row) const {
+  const std::size_t equations = functions_->equations().size();
+  return row < equations ? functions_->equations()[row] : functions_->inequalities()[row - equations];
+}
+
+void ExpansionPlan::add_row(const SystemFunction& function) {
+  rows_.emplace_back();
+  if (function.polynomial && expansion_terms(*function.polynomial) <= kMaximumTerms)
+    add_entries(expanded(*function.polynomial));
 }
 
 ExpansionPlan::Entries ExpansionPlan::expanded(const Polynomial& polynomial) {
@@ -70,7 +81,7 @@ ExpansionPlan::Entries ExpansionPlan::expanded(const Polynomial& polynomial) {
   return entries;
 }
 
-void ExpansionPlan::add_row(const Entries& entries) {
+void ExpansionPlan::add_entries(const Entries& entries) {
   for (const auto& [exponents, contributions] : entries) {
     const bool is_constant = std::ranges::all_of(exponents, [](int e) { return e == 0; });
     Entry entry{is_constant ? kConstant : column_of(exponents), product_of(exponents),
@@ -114,13 +125,13 @@ Expansion<T>::Expansion(const ExpansionPlan& plan)
       radii_(plan.functions().variables()),
       rows_(plan.rows_.size()) {
   for (const Rational& c : plan.coefficients_) coefficients_.push_back(NumberTraits<T>::from_rational(c));
-  for (const SystemFunction& equation : plan.functions().equations()) evaluators_.emplace_back(equation.tape);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
+    evaluators_.emplace_back(plan.function(k).tape);
     for (const auto& entry : plan.rows_[k].entries) {
       if (entry.column != ExpansionPlan::kConstant) rows_[k].columns.push_back(entry.column);
     }
     if (plan.is_expanded(k)) continue;
-    for (const std::size_t i : plan.functions().equations()[k].variables)
+    for (const std::size_t i : plan.function(k).variables)
       rows_[k].columns.push_back(static_cast<std::uint32_t>(i));
   }
   for (ExpansionRow<T>& row : rows_) row.values.resize(row.columns.size());
@@ -167,11 +178,11 @@ void Expansion<T>::compute_products(std::span<const T> numbers, std::vector<T>& 
 }
 
 template <class T>
-void Expansion<T>::expand_polynomial(std::size_t equation) {
-  ExpansionRow<T>& row = rows_[equation];
+void Expansion<T>::expand_polynomial(std::size_t number) {
+  ExpansionRow<T>& row = rows_[number];
   row.constant = NumberTraits<T>::from_interval(Interval(0));
   T* value = row.values.data();
-  for (const auto& entry : plan_->rows_[equation].entries) {
+  for (const auto& entry : plan_->rows_[number].entries) {
     const auto term = [&](std::uint32_t t) {
       const auto& [coefficient, product] = plan_->terms_[t];
       return product == 0 ? coefficients_[coefficient]
@@ -188,9 +199,9 @@ void Expansion<T>::expand_polynomial(std::size_t equation) {
 }
 
 template <class T>
-void Expansion<T>::expand_by_mean_value(std::size_t equation) {
-  ExpansionRow<T>& row = rows_[equation];
-  TapeEvaluator<T>& evaluator = evaluators_[equation];
+void Expansion<T>::expand_by_mean_value(std::size_t number) {
+  ExpansionRow<T>& row = rows_[number];
+  TapeEvaluator<T>& evaluator = evaluators_[number];
   evaluator.evaluate(centre_);
   row.constant = evaluator.value();
   evaluator.evaluate(box_);

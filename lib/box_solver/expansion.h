@@ -1,14 +1,15 @@
 #pragma once
 
-// The equations of a system expanded about the midpoint of a box, in the scaled variables z of
+// The functions of a system expanded about the midpoint of a box, in the scaled variables z of
 // x_i = m_i + r_i z_i, z in [-1, 1]^n.
 //
-// Promise: wherever z stands for a point of the box at which all equations are defined, equation k equals
+// Promise: wherever z stands for a point of the box at which all functions are defined, function k equals
 // constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within the
-// interval coefficients. Columns 0 .. n-1 are the z_i themselves. A polynomial equation gets the columns of
-// all monomials of its Taylor expansion, with coefficients as thin as rounding allows. Any other equation,
-// and a polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in
-// the linear columns alone. An equation that may be undefined in the box gets an empty row with an unbounded
+// interval coefficients. Functions are the left sides of the equations, and those of the inequalities f <= 0
+// where they are wanted. Columns 0 .. n-1 are the z_i themselves. A polynomial gets the columns of all
+// monomials of its Taylor expansion, with coefficients as thin as rounding allows. Any other function, and a
+// polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in the
+// linear columns alone. A function that may be undefined in the box gets an empty row with an unbounded
 // constant.
 
 #include <cstdint>
@@ -42,15 +43,28 @@ struct ExpansionRow {
   std::vector<T> values;
 };
 
+/// Which functions of a system an expansion has rows for.
+enum class ExpandedFunctions {
+  equations,
+  constraints  ///< equations, then inequalities f <= 0
+};
+
 /// Which monomials and terms occur: found once for a system.
 class ExpansionPlan {
  public:
-  explicit ExpansionPlan(const SystemFunctions& functions);
+  explicit ExpansionPlan(const SystemFunctions& functions,
+                         ExpandedFunctions which = ExpandedFunctions::equations);
 
   const SystemFunctions& functions() const { return *functions_; }
+  std::size_t rows() const { return rows_.size(); }
+  bool is_inequality(std::size_t row) const { return row >= functions_->equations().size(); }
+  /// The function of a row.
+  const SystemFunction& function(std::size_t row) const;
   const std::vector<ScaledMonomial>& columns() const { return columns_; }
-  /// Whether that equation is expanded as a polynomial.
-  bool is_expanded(std::size_t equation) const { return !rows_[equation].entries.empty(); }
+  /// How many of the columns, the first ones, are the variables or occur in equations.
+  std::size_t equation_columns() const { return equation_columns_; }
+  /// Whether the function of that row is expanded as a polynomial.
+  bool is_expanded(std::size_t row) const { return !rows_[row].entries.empty(); }
 
  private:
   template <class T>
@@ -86,12 +100,14 @@ class ExpansionPlan {
   using Entries = std::map<Exponents, std::vector<Contribution>>;
 
   static Entries expanded(const Polynomial& polynomial);
-  void add_row(const Entries& entries);
+  void add_row(const SystemFunction& function);
+  void add_entries(const Entries& entries);
   std::uint32_t column_of(const Exponents& exponents);
   std::uint32_t product_of(const Exponents& exponents);
 
   const SystemFunctions* functions_;
   std::vector<ScaledMonomial> columns_;
+  std::size_t equation_columns_ = 0;
   std::vector<std::uint32_t> column_products_;  ///< one a column
   std::map<Product, std::uint32_t> product_numbers_;
   std::vector<Product> products_;  ///< after their parents; number 0 is the empty product
@@ -115,13 +131,13 @@ class Expansion {
 
   std::span<const double> midpoints() const { return midpoints_; }
   std::span<const double> radii() const { return radii_; }
-  const ExpansionRow<T>& row(std::size_t equation) const { return rows_[equation]; }
+  const ExpansionRow<T>& row(std::size_t row) const { return rows_[row]; }
   const ExpansionPlan& plan() const { return *plan_; }
 
  private:
   void compute_products(std::span<const T> numbers, std::vector<T>& products) const;
-  void expand_polynomial(std::size_t equation);
-  void expand_by_mean_value(std::size_t equation);
+  void expand_polynomial(std::size_t number);
+  void expand_by_mean_value(std::size_t number);
 
   const ExpansionPlan* plan_;
   std::vector<T> coefficients_;

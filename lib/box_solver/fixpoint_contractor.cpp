@@ -9,53 +9,18 @@
 namespace gcslab {
 namespace {
 
-/// The sum over the sides of log2(width before / width after): how many halvings a contraction saved.
-double halvings(const Box& before, const Box& after) {
-  double sum = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const double ratio = width(before[i]) / width(after[i]);
-    if (ratio > 1) sum += std::isfinite(ratio) ? std::log2(ratio) : 60;
+/// log2 of the volume. Sides below a millionth count as that: what is left of them is no matter of cuts.
+double size_of(const Box& box) {
+  constexpr double kNarrow = 0x1p-20, kWide = 0x1p+40;
+  double size = 0;
+  for (const Interval& side : box) {
+    const double narrow = kNarrow * std::clamp(magnitude(side), 1.0, kWide);
+    size += std::log2(std::clamp(width(side), narrow, kWide));
   }
-  return sum;
+  return size;
 }
 
-/// One dear part's record in the memory: failures in a row, and levels left to leave it out.
-struct Record {
-  unsigned failures;
-  unsigned waiting;
-};
-
-class Records {
- public:
-  static constexpr std::size_t kMaximum = 2;
-
-  explicit Records(ContractorMemory memory) {
-    for (std::size_t i = 0; i < kMaximum; ++i)
-      records_[i] = {(memory >> (16 * i + 8)) & 255U, (memory >> (16 * i)) & 255U};
-  }
-  ContractorMemory packed() const {
-    ContractorMemory memory = 0;
-    for (std::size_t i = 0; i < kMaximum; ++i)
-      memory |= (records_[i].failures << 8U | records_[i].waiting) << (16 * i);
-    return memory;
-  }
-
-  /// Whether the part has its turn on this level.
-  bool take_turn(std::size_t part) {
-    if (records_[part].waiting == 0) return true;
-    --records_[part].waiting;
-    return false;
-  }
-  void tell(std::size_t part, bool has_paid) {
-    constexpr unsigned kMostFailures = 3;
-    Record& record = records_[part];
-    record.failures = has_paid ? 0 : std::min(record.failures + 1, kMostFailures);
-    record.waiting = record.failures == 0 ? 0 : (1U << (2 * record.failures - 1)) - 1;
-  }
-
- private:
-  std::array<Record, kMaximum> records_{};
-};
+bool is_power_of_2(std::uint64_t n) { return n != 0 && (n & (n - 1)) == 0; }
 
 class FixpointContractor final : public Contractor {
  public:
@@ -65,59 +30,113 @@ class FixpointContractor final : public Contractor {
       if (!part.is_dear) cost_ += part.contractor->cost();
       (part.is_dear ? dear_ : cheap_).push_back(std::move(part.contractor));
     }
-    std::erase_if(dear_, [&](const auto& part) { return worth(*part) > kHopeless; });
-    GCSLAB_CHECK(dear_.size() <= Records::kMaximum);
+    std::erase_if(dear_, [&](const auto& part) { return relative_cost(*part) > kHopeless; });
+    GCSLAB_CHECK(dear_.size() <= Experience::kDearParts);
   }
 
   double cost() const override { return cost_; }
-  void recall(ContractorMemory memory) override { records_ = Records(memory); }
-  ContractorMemory memory() const override { return records_.packed(); }
+  void learn(const Experience& so_far, std::uint64_t box_number) override {
+    so_far_ = &so_far;
+    box_number_ = box_number;
+  }
+  Experience experience() const override { return seen_; }
 
   bool contract(Box& box, ProofTrace& trace) override {
-    std::array<bool, Records::kMaximum> has_turn{};
-    for (std::size_t i = 0; i < dear_.size(); ++i) has_turn[i] = records_.take_turn(i);
-    int rounds = 0;
+    seen_ = {};
+    rounds_ = 0;
+    const double size = size_of(box);
+    if (!apply_cheap(box, trace)) {
+      seen_.leaves = 1;
+      seen_.leaf_size = size;
+      return false;
+    }
+    const double left = size_of(box);
+    seen_.boxes = 1;
+    seen_.rounds = rounds_;
+    seen_.halvings = size - left;
+    std::array<bool, Experience::kDearParts> has_turn{};
+    for (std::size_t i = 0; i < dear_.size(); ++i) has_turn[i] = is_tried(i) || pays(i, left);
     bool goes_on = true;
     while (goes_on) {
-      if (!apply_cheap(box, trace, rounds)) return false;
       goes_on = false;
       for (std::size_t i = 0; i < dear_.size() && !goes_on; ++i) {
         if (!has_turn[i]) continue;
         start_ = box;
-        if (!dear_[i]->contract(box, trace)) {
-          // The boxes below are gone; nobody reads the memory.
-          return false;
-        }
-        has_turn[i] = halvings(start_, box) >= worth(*dear_[i]);
-        records_.tell(i, has_turn[i]);
-        goes_on = rounds < maximum_rounds_ && largest_gain(start_, box) >= ratio_;
+        if (!apply_dear(i, box, trace)) return false;
+        goes_on = rounds_ < maximum_rounds_ && largest_gain(start_, box) >= ratio_;
       }
     }
     return true;
   }
 
  private:
-  static constexpr double kHopeless = 9;  ///< no contraction saves that many halvings again and again
+  /// No contraction saves so much again and again.
+  static constexpr double kHopeless = 512;
 
-  bool apply_cheap(Box& box, ProofTrace& trace, int& rounds) {
+  bool apply_cheap(Box& box, ProofTrace& trace) {
     do {
       before_ = box;
       for (const auto& part : cheap_) {
         if (!part->contract(box, trace)) return false;
       }
-    } while (++rounds < maximum_rounds_ && largest_gain(before_, box) >= ratio_);
+    } while (++rounds_ < maximum_rounds_ && largest_gain(before_, box) >= ratio_);
     return true;
   }
 
-  double worth(const Contractor& dear) const {
-    return cost_ > 0 ? std::max(0.0, std::log2(dear.cost() / cost_)) : 0;
+  /// The dear part, and the cheap ones where it shrank the box much.
+  bool apply_dear(std::size_t i, Box& box, ProofTrace& trace) {
+    DearPartExperience& seen = seen_.dear[i];
+    const double size = size_of(box);
+    seen.boxes = 1;
+    ++seen.calls;
+    if (!dear_[i]->contract(box, trace) ||
+        (largest_gain(start_, box) >= ratio_ && !apply_cheap(box, trace))) {
+      seen.halvings += halvings_ahead(size);
+      return false;
+    }
+    seen.halvings += size - size_of(box);
+    return true;
+  }
+
+  double relative_cost(const Contractor& dear) const { return cost_ > 0 ? dear.cost() / cost_ : 0; }
+
+  /// A trial may cost a few times what the search did before.
+  bool is_tried(std::size_t i) const {
+    constexpr double kShare = 0.25;
+    return is_power_of_2(box_number_) &&
+           static_cast<double>(box_number_) >= kShare * relative_cost(*dear_[i]);
+  }
+
+  /// How many halvings a box needs until it falls to a cheap part: what it is larger than a typical leaf, and
+  /// since it did not fall yet, some levels at least.
+  double halvings_ahead(double size) const {
+    constexpr double kLevels = 2;
+    const double leaf = so_far_->leaves > 0 ? so_far_->leaf_size / so_far_->leaves : size;
+    return std::max(0.0, size - leaf) + kLevels * halvings_a_level();
+  }
+  double halvings_a_level() const {
+    return 1 + (so_far_->boxes > 0 ? so_far_->halvings / so_far_->boxes : 0);
+  }
+
+  bool pays(std::size_t i, double size) const {
+    const DearPartExperience& part = so_far_->dear[i];
+    if (part.boxes == 0 || so_far_->boxes == 0) return false;
+    const double cost = relative_cost(*dear_[i]) * so_far_->boxes / so_far_->rounds;
+    const double levels = halvings_a_level();
+    const double with_part = levels + part.halvings / part.boxes;
+    const double ahead = halvings_ahead(size);
+    return ahead / levels - ahead / with_part >= std::log2(1 + cost * part.calls / part.boxes);
   }
 
   std::vector<std::unique_ptr<Contractor>> cheap_, dear_;
   double ratio_;
   int maximum_rounds_;
   double cost_ = 0;
-  Records records_{0};
+  Experience nothing_;
+  const Experience* so_far_ = &nothing_;
+  std::uint64_t box_number_ = 0;
+  Experience seen_;
+  int rounds_ = 0;
   Box before_, start_;
 };
 

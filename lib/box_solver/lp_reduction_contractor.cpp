@@ -19,7 +19,7 @@ Expansion<FastInterval> made_in_scope(const ExpansionPlan& plan) {
 class LpReductionContractor final : public Contractor {
  public:
   LpReductionContractor(const SystemFunctions& functions, const std::string& backend, LpSafety safety)
-      : plan_(functions),
+      : plan_(functions, ExpandedFunctions::constraints),
         expansion_(made_in_scope(plan_)),
         backend_(lp_registry().at(backend)),
         options_{.safety = safety, .negligible_gain = 1e-3} {}
@@ -29,7 +29,7 @@ class LpReductionContractor final : public Contractor {
   double cost() const override {
     constexpr double kStepsPerColumn = 2;
     constexpr double kVectorised = 0.1;
-    const auto columns = static_cast<double>(plan_.columns().size());
+    const auto columns = static_cast<double>(BernsteinPolytope::columns_for(plan_));
     const double step = columns * columns;
     return kVectorised * 2 * static_cast<double>(box_variables()) * kStepsPerColumn * columns * step;
   }
@@ -86,7 +86,7 @@ class LpReductionContractor final : public Contractor {
       if (certificate.goal.side == BoundSide::lower) before.lower = std::max(before.lower, side.lower);
       if (certificate.goal.side == BoundSide::upper) before.upper = std::min(before.upper, side.upper);
       ProofStep step{Argument::polytope, 0, static_cast<std::uint32_t>(i), is_empty(side) ? side : before};
-      step.multipliers.assign(equations(), 0);
+      step.multipliers.assign(plan_.rows(), 0);
       for (const auto& [row, multiplier] : certificate.multipliers) add_row(row, multiplier, step);
       trace.add(std::move(step));
     }
@@ -95,17 +95,19 @@ class LpReductionContractor final : public Contractor {
   void tell_empty(const std::vector<double>& ray, ProofTrace& trace) const {
     if (!trace.wanted()) return;
     ProofStep step{Argument::polytope};
-    step.multipliers.assign(equations(), 0);
+    step.multipliers.assign(plan_.rows(), 0);
     for (std::size_t row = 0; row < ray.size(); ++row) add_row(static_cast<int>(row), ray[row], step);
     trace.add(std::move(step));
   }
 
   void add_row(int row, double multiplier, ProofStep& step) const {
     const auto number = static_cast<std::size_t>(row);
-    if (number < equations()) {
-      step.multipliers[number] = multiplier * polytope_->scale(number);
-    } else if (multiplier > 0) {  // others ask for a side that is not there, and count as 0
-      const ProductRow& product = polytope_->products()[number - equations()];
+    // Multipliers of the wrong sign ask for a side that is not there, and count as 0.
+    if (number < plan_.rows()) {
+      if (!plan_.is_inequality(number) || multiplier < 0)
+        step.multipliers[number] = multiplier * polytope_->scale(number);
+    } else if (multiplier > 0) {
+      const ProductRow& product = polytope_->products()[number - plan_.rows()];
       step.products.push_back(
           {variables_of(product.first), variables_of(product.second), product.s, product.t, multiplier});
     }
@@ -119,7 +121,6 @@ class LpReductionContractor final : public Contractor {
   }
 
   std::size_t box_variables() const { return plan_.functions().variables(); }
-  std::size_t equations() const { return plan_.functions().equations().size(); }
 
   ExpansionPlan plan_;
   Expansion<FastInterval> expansion_;

@@ -58,17 +58,19 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
   }
 }
 
-NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions) {
+NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions,
+                                   const Experience& so_far) {
   NodeOutcome outcome;
   outcome.trace = ProofTrace(options_->proof != nullptr);
   outcome.box = node.box;
   if (is_excluded(outcome, exclusions)) return outcome;
-  contractor_->recall(node.memory);
-  if (!contractor_->contract(outcome.box, outcome.trace)) {
+  contractor_->learn(so_far, node.id);
+  const bool may_have_roots = contractor_->contract(outcome.box, outcome.trace);
+  outcome.experience = contractor_->experience();
+  if (!may_have_roots) {
     outcome.kind = NodeOutcome::Kind::empty;
     return outcome;
   }
-  outcome.memory = contractor_->memory();
   if (is_excluded(outcome, exclusions)) return outcome;
   find_root(outcome);
   if (!outcome.found && !escalate(outcome)) {

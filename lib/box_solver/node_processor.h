@@ -18,8 +18,7 @@ struct SearchNode {
   std::uint64_t id = 0;
   Box box;
   std::size_t last_variable = 0;
-  double share = 0;  ///< of the whole search
-  ContractorMemory memory = 0;
+  double share = 0;    ///< of the whole search
   int stuck = 0;       ///< how many of the last cuts on the way here gained nothing at the highest precision
   double measure = 0;  ///< best-first: larger is taken first
 };
@@ -43,9 +42,9 @@ struct NodeOutcome {
   std::optional<CertifiedRoot> found;  ///< a root proved here, in the box or near it
   std::size_t root = 0;                ///< covered: the number of the root, when `found` is empty
   Cut cut{};
-  ContractorMemory memory = 0;
-  int stuck = 0;       ///< of the two parts
-  std::string reason;  ///< undecided: why
+  Experience experience;  ///< of the contractor with this box
+  int stuck = 0;          ///< of the two parts
+  std::string reason;     ///< undecided: why
   ProofTrace trace;
 };
 
@@ -69,7 +68,9 @@ class NodeProcessor {
   NodeProcessor(const SystemFunctions& functions, const Box& search_box,
                 const ContractorMaker& make_contractor, const SearchOptions& options);
 
-  NodeOutcome process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions);
+  /// `so_far` is what contractors met in the search before.
+  NodeOutcome process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions,
+                      const Experience& so_far);
 
  private:
   bool is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const;

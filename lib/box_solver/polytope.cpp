@@ -18,10 +18,20 @@ bool is_square(const ScaledMonomial& monomial) {
   return std::ranges::all_of(monomial.factors, [](const auto& f) { return f.power % 2 == 0; });
 }
 
+/// The values of a monomial on [-1, 1]^n.
+Interval range_of(const ScaledMonomial& monomial) {
+  return is_square(monomial) ? Interval(0, 1) : Interval(-1, 1);
+}
+
+bool is_usable(const ExpansionRow<FastInterval>& row) {
+  return is_bounded(row.constant.interval()) &&
+         std::ranges::all_of(row.values, [](const FastInterval& v) { return is_bounded(v.interval()); });
+}
+
 /// A power of 2 that brings the largest coefficient near 1.
-double scale_of(const std::vector<Interval>& coefficients) {
+double scale_of(const ExpansionRow<FastInterval>& row) {
   double largest = 0;
-  for (const Interval& c : coefficients) largest = std::max(largest, magnitude(c));
+  for (const FastInterval& value : row.values) largest = std::max(largest, magnitude(value.interval()));
   return largest > 0 ? std::ldexp(1, std::clamp(-std::ilogb(largest), -1000, 1000)) : 1;
 }
 
@@ -41,32 +51,41 @@ std::optional<ScaledMonomial> quotient(const ScaledMonomial& product, const Scal
 
 }  // namespace
 
-BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan) : plan_(&plan) {
+std::size_t BernsteinPolytope::columns_for(const ExpansionPlan& plan) {
+  const std::size_t own = plan.equation_columns();
+  const std::size_t others = plan.columns().size() - own;
+  const bool is_determined = plan.functions().constraints() >= plan.functions().variables();
+  return others <= own / 4 || !is_determined ? own + others : own;
+}
+
+BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan)
+    : plan_(&plan), columns_(std::span(plan.columns()).first(columns_for(plan))) {
   add_columns();
-  add_equations();
+  add_functions();
   add_products();
   add_complements();
 }
 
 void BernsteinPolytope::add_columns() {
-  for (const ScaledMonomial& monomial : plan_->columns())
-    model_.add_column(is_square(monomial) ? Interval(0, 1) : Interval(-1, 1));
+  for (const ScaledMonomial& monomial : columns_) model_.add_column(range_of(monomial));
 }
 
-/// The rows 0 .. m-1; their numbers come with `refill`.
-void BernsteinPolytope::add_equations() {
+/// The first rows; their numbers come with `refill`.
+void BernsteinPolytope::add_functions() {
   const NumberTraits<FastInterval>::Scope scope;
   const Expansion<FastInterval> empty(*plan_);
-  for (std::size_t k = 0; k < plan_->functions().equations().size(); ++k) {
+  for (std::size_t k = 0; k < plan_->rows(); ++k) {
     std::vector<LinearTerm> terms;
-    for (const std::uint32_t column : empty.row(k).columns) terms.push_back({static_cast<int>(column), 1});
+    for (const std::uint32_t column : empty.row(k).columns) {
+      if (column < columns_.size()) terms.push_back({static_cast<int>(column), 1});
+    }
     model_.add_row(terms, Interval::entire());
   }
 }
 
 /// 1 + s z^a + t z^b + s t z^a z^b >= 0 for the signs s and t; with a = b the squares 1 +- 2 z^a + z^2a >= 0.
 void BernsteinPolytope::add_products() {
-  const auto& columns = plan_->columns();
+  const std::span<const ScaledMonomial> columns = columns_;
   for (std::size_t product = 0; product < columns.size(); ++product) {
     for (std::size_t first = 0; first < columns.size(); ++first) {
       const auto rest = quotient(columns[product], columns[first]);
@@ -102,8 +121,8 @@ int BernsteinPolytope::column_of_product(std::size_t first, std::size_t second) 
   } else {
     factors = {{static_cast<std::uint32_t>(first), 1}, {static_cast<std::uint32_t>(second), 1}};
   }
-  const auto found = std::ranges::find(plan_->columns(), ScaledMonomial{factors});
-  return found == plan_->columns().end() ? -1 : static_cast<int>(found - plan_->columns().begin());
+  const auto found = std::ranges::find(columns_, ScaledMonomial{factors});
+  return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
 }
 
 void BernsteinPolytope::add_complements() {
@@ -122,30 +141,34 @@ void BernsteinPolytope::add_complements() {
 
 void BernsteinPolytope::refill(const Expansion<FastInterval>& expansion) {
   const NumberTraits<FastInterval>::Scope scope;
-  scales_.assign(plan_->functions().equations().size(), 1);
-  for (std::size_t k = 0; k < plan_->functions().equations().size(); ++k) {
-    const ExpansionRow<FastInterval>& row = expansion.row(k);
-    coefficients_.clear();
-    bool usable = is_bounded(row.constant.interval());
-    for (const FastInterval& value : row.values) {
-      coefficients_.push_back(value.interval());
-      usable = usable && is_bounded(value.interval());
-    }
-    const int number = static_cast<int>(k);
-    if (!usable) {
-      std::ranges::fill(coefficients_, Interval(0));
-      model_.set_coefficients(number, coefficients_);
-      model_.set_sides(number, Interval::entire());
-      continue;
-    }
-    const double scale = scale_of(coefficients_);
-    const auto times_scale = [&](const Interval& x) { return scaled(scale, FastInterval(x)).interval(); };
-    for (Interval& c : coefficients_) c = times_scale(c);
+  scales_.assign(plan_->rows(), 1);
+  for (std::size_t k = 0; k < plan_->rows(); ++k) refill_row(k, expansion.row(k));
+}
+
+void BernsteinPolytope::refill_row(std::size_t k, const ExpansionRow<FastInterval>& row) {
+  const int number = static_cast<int>(k);
+  coefficients_.clear();
+  if (!is_usable(row)) {
+    const auto has_column = [&](std::uint32_t column) { return column < columns_.size(); };
+    coefficients_.assign(static_cast<std::size_t>(std::ranges::count_if(row.columns, has_column)),
+                         Interval(0));
     model_.set_coefficients(number, coefficients_);
-    scales_[k] = scale;
-    const Interval constant = times_scale(row.constant.interval());
-    model_.set_sides(number, Interval(-constant.upper, -constant.lower));
+    model_.set_sides(number, Interval::entire());
+    return;
   }
+  scales_[k] = scale_of(row);
+  FastInterval rest = scaled(scales_[k], row.constant);
+  for (std::size_t c = 0; c < row.columns.size(); ++c) {
+    const FastInterval value = scaled(scales_[k], row.values[c]);
+    const std::uint32_t column = row.columns[c];
+    const bool has_column = column < columns_.size();
+    const Interval middle(has_column ? midpoint(value.interval()) : 0);
+    rest = rest + (value - FastInterval(middle)) * FastInterval(range_of(plan_->columns()[column]));
+    if (has_column) coefficients_.push_back(middle);
+  }
+  model_.set_coefficients(number, coefficients_);
+  const double least = plan_->is_inequality(k) ? -kInfinity : -rest.interval().upper;
+  model_.set_sides(number, Interval(least, -rest.interval().lower));
 }
 
 }  // namespace gcslab

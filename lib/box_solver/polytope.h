@@ -4,12 +4,15 @@
 // in the sense of Sherali and Adams 1990).
 //
 // One LP column for each monomial of the expansion of the system about the box (expansion.h), in the scaled
-// variables z of [-1, 1]^n. Rows: each expanded equation; for every product column z^a z^b of two others, the
-// four products (1 +- z^a)(1 +- z^b) >= 0; for every square (1 +- z^a)^2 >= 0; and, where all three columns
-// occur, the complements (z_i +- z_j)^2 >= 0.
+// variables z of [-1, 1]^n; monomials that occur in inequalities alone get one when they are few, or when the
+// equations do not determine the variables. Rows: each expanded function; for every product column z^a z^b of
+// two others, the four products (1 +- z^a)(1 +- z^b) >= 0; for every square (1 +- z^a)^2 >= 0; and, where all
+// three columns occur, the complements (z_i +- z_j)^2 >= 0. Coefficients are single numbers: what an interval
+// coefficient is wider than that, and monomials without column, are in the sides of the row.
 //
-// Promise: every root of the system in the box stands for a feasible point of the model.
+// Promise: every solution of the system in the box stands for a feasible point of the model.
 
+#include <span>
 #include <vector>
 
 #include "box_solver/expansion.h"
@@ -26,27 +29,32 @@ struct ProductRow {
 
 class BernsteinPolytope {
  public:
+  /// How many LP columns it takes.
+  static std::size_t columns_for(const ExpansionPlan& plan);
+
   /// `plan` must outlive it.
   explicit BernsteinPolytope(const ExpansionPlan& plan);
 
-  /// Writes the equations of an expansion about the box that the z scale; only numbers change.
+  /// Writes the functions of an expansion about the box that the z scale; only numbers change.
   void refill(const Expansion<FastInterval>& expansion);
 
   const LpModel& model() const { return model_; }
-  /// The factor by which equation k was multiplied in its row, which is row k.
-  double scale(std::size_t equation) const { return scales_[equation]; }
-  /// What the rows after the equations say, in their order.
+  /// The factor by which function k was multiplied in its row, which is row k.
+  double scale(std::size_t function) const { return scales_[function]; }
+  /// What the rows after the functions say, in their order.
   const std::vector<ProductRow>& products() const { return meanings_; }
 
  private:
   void add_columns();
-  void add_equations();
+  void add_functions();
+  void refill_row(std::size_t k, const ExpansionRow<FastInterval>& row);
   void add_products();
   void add_complements();
   void add_row(const ProductRow& meaning, const std::vector<LinearTerm>& terms, double least);
   int column_of_product(std::size_t first, std::size_t second) const;
 
   const ExpansionPlan* plan_;
+  std::span<const ScaledMonomial> columns_;
   LpModel model_;
   std::vector<ProductRow> meanings_;
   std::vector<double> scales_;

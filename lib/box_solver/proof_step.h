@@ -20,7 +20,8 @@ enum class Argument : std::uint8_t {
   expansion,           ///< from here on, expansions are about the midpoint of the box as it is now
   expansion_row,       ///< the expansion of sum multipliers[k] f_k, solved for the variable
   square_row,          ///< the expansion of sum multipliers[k] f_k, solved for the square of the variable
-  polytope,        ///< products of bound factors and equations, summed with multipliers, bound the variable
+  polytope,        ///< equations, inequalities and products of bound factors, summed with multipliers, bound
+                   ///< the variable; the multipliers of inequalities follow those of equations and are <= 0
   mean_value_row,  ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
   bernstein_row,   ///< the Bernstein form of the same over that box, seen along the variable
   cases,      ///< the steps up to `otherwise` are about the part where the variable is at most result.lower

@@ -57,7 +57,7 @@ class Search {
     while (!open_.empty() && !stop.stop_requested() && within_budget()) {
       take_batch();
       const auto work = [&](NodeProcessor& processor, std::size_t i) {
-        if (!stop.stop_requested()) outcomes_[i] = processor.process(batch_[i], exclusions_);
+        if (!stop.stop_requested()) outcomes_[i] = processor.process(batch_[i], exclusions_, experience_);
       };
       pool_.run(batch_.size(), work);
       merge_batch();
@@ -108,6 +108,7 @@ class Search {
       return;
     }
     ++result_.statistics.boxes;
+    experience_ += outcome.experience;
     const bool is_settled = !outcome.found || take_root(outcome);
     if (options_.proof != nullptr) options_.proof->node(node.id, outcome.trace);
     if (outcome.kind == NodeOutcome::Kind::cut) {
@@ -152,8 +153,8 @@ class Search {
     ++result_.statistics.bisections;
     const auto [variable, point] = outcome.cut;
     if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
-    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.memory, outcome.stuck};
-    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.memory, outcome.stuck};
+    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.stuck};
+    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.stuck};
     lower.box[variable].upper = point;
     upper.box[variable].lower = point;
     push(std::move(upper));
@@ -201,6 +202,7 @@ class Search {
   std::vector<CertifiedRoot> roots_;  ///< in the search box or near it
   std::vector<ExclusionBox> exclusions_;
   std::uint64_t next_id_ = 0;
+  Experience experience_;  ///< of the contractors
   SearchResult result_;
 };
 

@@ -46,17 +46,22 @@ Expansion::Expansion(JudgedSystem& system)
       products_(1),
       midpoints_(system.variables()),
       radii_(system.variables()),
-      rows_(system.equations().size()) {
+      rows_(system.equations().size() + system.inequalities().size()) {
   for (std::size_t i = 0; i < system.variables(); ++i) {
     std::vector<int> exponents(system.variables(), 0);
     exponents[i] = 1;
     column_of(exponents);
   }
-  for (const JudgedFunction& equation : system.equations()) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
     entries_.emplace_back();
-    if (equation.polynomial && expansion_terms(*equation.polynomial) <= kMaximumTerms)
-      plan(*equation.polynomial, entries_.back());
+    const std::optional<PolynomialTerms>& polynomial = function(k).polynomial;
+    if (polynomial && expansion_terms(*polynomial) <= kMaximumTerms) plan(*polynomial, entries_.back());
   }
+}
+
+JudgedFunction& Expansion::function(std::size_t row) {
+  const std::size_t equations = system_->equations().size();
+  return row < equations ? system_->equations()[row] : system_->inequalities()[row - equations];
 }
 
 /// c x^e = c (m + r z)^e = sum over t <= e of c binomial(e, t) m^(e - t) r^t z^t.
@@ -129,16 +134,16 @@ void Expansion::compute_products(const std::vector<double>& numbers, std::vector
   }
 }
 
-const ExpandedRow& Expansion::row(std::size_t equation) {
-  ExpandedRow& row = rows_[equation];
-  if (has_row_[equation]) return row;
-  has_row_[equation] = true;
+const ExpandedRow& Expansion::row(std::size_t number) {
+  ExpandedRow& row = rows_[number];
+  if (has_row_[number]) return row;
+  has_row_[number] = true;
   row.columns.clear();
   row.values.clear();
-  if (entries_[equation].empty()) {
-    expand_by_mean_value(equation, row);
+  if (entries_[number].empty()) {
+    expand_by_mean_value(function(number).program, row);
   } else {
-    expand_polynomial(entries_[equation], row);
+    expand_polynomial(entries_[number], row);
   }
   return row;
 }
@@ -157,8 +162,7 @@ void Expansion::expand_polynomial(const std::vector<Entry>& entries, ExpandedRow
   }
 }
 
-void Expansion::expand_by_mean_value(std::size_t equation, ExpandedRow& row) {
-  Program& program = system_->equations()[equation].program;
+void Expansion::expand_by_mean_value(Program& program, ExpandedRow& row) {
   RangeBox centre;
   for (const double m : midpoints_) centre.emplace_back(m);
   row.constant = program.evaluate(centre);

@@ -1,11 +1,12 @@
 #pragma once
 
-// The equations expanded about the midpoint m of a box, in z with x_i = m_i + r_i z_i, z in [-1, 1]^n.
+// The equations, and the functions of the inequalities after them, expanded about the midpoint m of a box, in
+// z with x_i = m_i + r_i z_i, z in [-1, 1]^n.
 //
-// Promise: at every point of the box, equation k equals constant + sum of values[c] * column c, for some
+// Promise: at every point of the box, function k equals constant + sum of values[c] * column c, for some
 // choice of numbers within the ranges. A polynomial is expanded into all monomials of its Taylor expansion at
-// m, which is exact up to rounding; any other equation, and a polynomial whose expansion has more than 20,000
-// terms, gets f(m) and its slopes over the box in the linear columns. Where such an equation may be undefined
+// m, which is exact up to rounding; any other function, and a polynomial whose expansion has more than 20,000
+// terms, gets f(m) and its slopes over the box in the linear columns. Where such a function may be undefined
 // the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as doubles.
 
 #include <cstdint>
@@ -38,8 +39,8 @@ class Expansion {
   void expand(const Box& box);
   const std::vector<double>& midpoints() const { return midpoints_; }
   const std::vector<double>& radii() const { return radii_; }
-  /// The row of an equation, computed when first asked for.
-  const ExpandedRow& row(std::size_t equation);
+  /// The row of a function, computed when first asked for.
+  const ExpandedRow& row(std::size_t number);
 
  private:
   struct Term {
@@ -57,7 +58,8 @@ class Expansion {
   std::uint32_t product_of(const std::vector<int>& exponents);
   void compute_products(const std::vector<double>& numbers, std::vector<Range>& products) const;
   void expand_polynomial(const std::vector<Entry>& entries, ExpandedRow& row) const;
-  void expand_by_mean_value(std::size_t equation, ExpandedRow& row);
+  void expand_by_mean_value(Program& program, ExpandedRow& row);
+  JudgedFunction& function(std::size_t row);
 
   JudgedSystem* system_;
   std::vector<Monomial> columns_;
@@ -66,7 +68,7 @@ class Expansion {
   /// Products of variables: that of `first` times variable `second`. Number 0 is the empty product.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> products_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_of_product_;
-  std::vector<std::vector<Entry>> entries_;  ///< of the equations that are expanded as polynomials
+  std::vector<std::vector<Entry>> entries_;  ///< one a row; empty where the mean value form is taken
   Box box_;
   std::vector<double> midpoints_, radii_;
   std::vector<Range> midpoint_products_, radius_products_;

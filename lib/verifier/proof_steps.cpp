@@ -91,6 +91,10 @@ void ProofReplay::read_row(std::string_view word) {
 void ProofReplay::read_polytope() {
   Interval claim;
   const std::size_t variable = read_claim(claim);
+  for (std::size_t k = 0; k < system_->inequalities().size(); ++k) {
+    multipliers_.push_back(read_multiplier());
+    if (multipliers_.back() > 0) reader_->refuse("the multiplier of an inequality is positive");
+  }
   reader_->expect(";");
   std::vector<PositiveProduct> products;
   while (!reader_->at_end_of_line()) {

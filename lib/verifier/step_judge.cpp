@@ -141,8 +141,9 @@ Range StepJudge::square_row(const ExpansionBox& expansion, std::size_t variable,
   return unscaled(variable, row.solve_square(expansion_, variable, z_), box);
 }
 
-/// On roots sum c_k f_k = 0, and the products are >= 0 on [-1, 1]^n. So with R = -sum c_k f_k - sum of
-/// products there is no root where R > 0, and z_i >= min(R + z_i), z_i <= -min(R - z_i).
+/// On solutions c_k f_k is 0 for equations and >= 0 for inequalities, where c_k <= 0; and the products are >=
+/// 0 on [-1, 1]^n. So with R = -sum c_k f_k - sum of products there is no solution where R > 0, and z_i >=
+/// min(R + z_i), z_i <= -min(R - z_i).
 Range StepJudge::polytope(const ExpansionBox& expansion, std::size_t variable,
                           const std::vector<double>& multipliers,
                           const std::vector<PositiveProduct>& products, const Box& box) {

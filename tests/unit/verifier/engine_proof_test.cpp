@@ -36,7 +36,7 @@ std::vector<EquationSystem> systems() {
   };
 }
 
-const char* const kContractors[] = {"hull", "multipliers", "hull+multipliers"};
+const char* const kContractors[] = {"hull", "multipliers", "hull+multipliers", "hull+lp_reduction"};
 
 TEST(EngineProof, IsAccepted) {
   for (const EquationSystem& system : systems()) {

@@ -320,6 +320,23 @@ TEST(CaseDistinction, MustBeWellFormed) {
   }
 }
 
+TEST(Polytope, ProvesAbsenceWithAnInequality) {
+  // On [1, 2], x = 3/2 + z/2: with f = x^2 - 2 = 1/4 + 3/2 z + 1/4 z^2 and g = x - 5/4 = 1/4 + 1/2 z,
+  // g - f / 3 = 1/6 - z^2 / 12 > 0, while g <= 0 and f = 0 where there is a solution.
+  const auto refused_line = [](const std::string& multipliers) {
+    HandWritten proof = one_node(1, 2, {"expansion", "polytope 0 empty " + multipliers + " ;"}, {});
+    proof.system = system_of({"x"}, {"x^2 - 2"}, {{1, 2}}, {"x <= 5/4"});
+    return proof.refused_line();
+  };
+  const std::string third = hexadecimal(1.0 / 3);
+  EXPECT_EQ(refused_line(third + " -0x1p+0"), 0);
+  EXPECT_EQ(refused_line(third + " 0x1p+0"), 6);   // would be right for g >= 0
+  EXPECT_EQ(refused_line(third + " -0x1p-1"), 6);  // proves nothing
+  EXPECT_EQ(refused_line(third + " 0x0p+0"), 6);   // without the inequality
+  EXPECT_EQ(refused_line("0x0p+0 -0x1p+0"), 6);    // without the equation
+  EXPECT_EQ(refused_line(third), 6);               // a multiplier too few
+}
+
 TEST(MeanValueRow, ProvesWhatNewtonAndKrawczykProve) {
   const auto row = [](double lower, double upper, double multiplier) {
     return std::vector<std::string>{
