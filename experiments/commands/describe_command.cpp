@@ -12,6 +12,7 @@
 #include "experiments/commands/exit_code.h"
 #include "experiments/corpus/corpus.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/corpus/reference_table.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/registry.h"
 #include "expression/printer.h"
@@ -72,9 +73,26 @@ std::optional<Json> task_json(const std::string& name) {
               {"values", values}};
 }
 
+/// Figures of another program: by which methods, on which problems.
+Json reference_json(const CorpusEntry& entry, Json result) {
+  const ReferenceTable table = load_reference_table(entry.path);
+  result["title"] = table.title;
+  result["origin"] = table.origin;
+  result["licence"] = table.licence;
+  result["methods"] = table.methods;
+  Json problems = Json::array();
+  for (const ReferenceRun& run : table.runs) {
+    if (std::ranges::find(problems, Json(run.problem)) == problems.end()) problems.push_back(run.problem);
+  }
+  result["problems"] = problems;
+  if (!table.notes.empty()) result["notes"] = table.notes;
+  return result;
+}
+
 Json problem_json(const CorpusEntry& entry) {
   const std::string kind = kind_of_file(entry.path);
   Json result = {{"name", entry.name}, {"what", "problem"}, {"kind", kind}, {"file", entry.path.string()}};
+  if (kind == kReferenceTableKind) return reference_json(entry, result);
   if (std::ranges::find(function_kinds(), kind) == function_kinds().end()) return result;
   const Problem problem = load_problem(entry.path);
   result["title"] = problem.title;

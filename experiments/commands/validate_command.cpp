@@ -9,6 +9,8 @@
 #include "experiments/commands/exit_code.h"
 #include "experiments/corpus/corpus.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/corpus/reference_table.h"
+#include "experiments/corpus/system_family.h"
 #include "experiments/runner/experiment_config.h"
 #include "experiments/tasks/catalogue.h"
 #include "experiments/tasks/illustrate_task.h"
@@ -32,6 +34,12 @@ std::string checked_kind(const std::string& file, const Catalogue& catalogue) {
   if (root.find("suite"))
     return fmt::format("suite of {} problems", Corpus::standard().suite_members(file).size());
   const std::string kind = root.at("kind").text();
+  if (kind == kSystemFamilyKind) {
+    check_system_family(file);
+    return "family of systems";
+  }
+  if (kind == kReferenceTableKind)
+    return fmt::format("reference table of {} runs", check_reference_table(file).runs.size());
   if (std::ranges::find(function_kinds(), kind) != function_kinds().end()) {
     check_known_points(load_problem(file));
   } else {

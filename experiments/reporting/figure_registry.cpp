@@ -33,7 +33,8 @@ const FigureKind& kind_of(const ReportItem& item) {
 
 const Registry<FigureKind>& figure_kinds() {
   static const Registry<FigureKind> kinds(
-      "kind of figure", {cover_panels_kind(), range_bars_kind(), series_kind(), drawing_kind()});
+      "kind of figure",
+      {cover_panels_kind(), range_bars_kind(), series_kind(), drawing_kind(), performance_profile_kind()});
   return kinds;
 }
 
@@ -41,7 +42,10 @@ void check_figure(const ReportItem& item) { static_cast<void>(read_options(item,
 
 FigureScript draw_figure(const ReportItem& item, const ReportContext& context) {
   const FigureKind& kind = kind_of(item);
-  return kind.draw({item, context, select_rows(context.rows, item), read_options(item, kind)});
+  const SelectedRows rows(context, item);
+  FigureScript figure = kind.draw({item, context, rows.all(), read_options(item, kind)});
+  for (std::string& note : notes_on_references(context, item)) figure.notes.push_back(std::move(note));
+  return figure;
 }
 
 OptionSpec width_option(const std::string& default_width) {

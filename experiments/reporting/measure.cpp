@@ -66,7 +66,7 @@ std::vector<double> numbers_of_list(const Json& json) {
 std::vector<double> plain_samples(const Row& row, const std::string& name) {
   if (row.timings.contains(name)) return numbers_of_list(row.timings.at(name));
   if (row.values.contains(name)) return numbers_from(row.values.at(name));
-  if (name == "peak_rss_mb" && row.was_run()) return {row.peak_rss_mb};
+  if (name == "peak_rss_mb" && row.was_run() && !row.is_reference) return {row.peak_rss_mb};
   const auto number = number_from_text(row.at(name));
   return number ? std::vector<double>{*number} : std::vector<double>{};
 }

@@ -113,8 +113,28 @@ fs::path committed_reports() {
 }
 
 void check_report_item(const ReportItem& item) {
+  for (const PlacedText& name : item.references) {
+    try {
+      static_cast<void>(find_reference_table(name.text));
+    } catch (const InputError& error) {
+      throw InputError(name.where, error.what());
+    }
+  }
   item.form == ReportItem::Form::table ? check_table(item) : check_figure(item);
 }
+
+namespace {
+
+std::map<std::string, ReferenceTable> references_of(const ExperimentConfig& config) {
+  std::map<std::string, ReferenceTable> tables;
+  for (const ReportItem& item : config.report) {
+    for (const PlacedText& name : item.references)
+      tables.try_emplace(name.text, find_reference_table(name.text));
+  }
+  return tables;
+}
+
+}  // namespace
 
 ReportContext load_report_context(const ExperimentConfig& config, const std::vector<ValueInfo>& values,
                                   const fs::path& runs, CurveSource curve) {
@@ -130,8 +150,8 @@ ReportContext load_report_context(const ExperimentConfig& config, const std::vec
   for (const MethodChoice& method : config.methods) {
     if (method.promise == Promise::baseline) baselines.push_back(method.label);
   }
-  return {config.experiment, config.title, config.source,   config.repetitions,
-          baselines,         values,       std::move(rows), std::move(curve)};
+  return {config.experiment, config.title,     config.source,         config.repetitions, baselines, values,
+          std::move(rows),   std::move(curve), references_of(config), config.limits};
 }
 
 ReportRecord write_report(const std::vector<ReportItem>& items, const ReportContext& context,

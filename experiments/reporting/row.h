@@ -26,6 +26,7 @@ struct Row {
   double peak_rss_mb = 0;
   Json artifact = nullptr;
   Json provenance = nullptr;
+  bool is_reference = false;  ///< a figure of another program: not measured in this run
 
   /// The row's text on an axis or for a constant; empty when it has neither.
   std::string at(const std::string& axis) const;

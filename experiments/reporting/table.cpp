@@ -9,6 +9,7 @@
 #include "experiments/reporting/number_format.h"
 #include "experiments/reporting/report_context.h"
 #include "experiments/reporting/table_entries.h"
+#include "experiments/reporting/table_kind.h"
 #include "experiments/runner/report_item.h"
 
 namespace gcslab {
@@ -203,6 +204,7 @@ class TableBuilder {
     }
     note_baselines();
     note_comparison();
+    for (const std::string& sentence : notes_on_references(context_, item_)) note(sentence);
   }
 
   void note(const std::string& sentence) { table_.notes.push_back(sentence); }
@@ -295,19 +297,12 @@ class TableBuilder {
 
 }  // namespace
 
-Table build_table(const ReportItem& item, const ReportContext& context) {
-  return TableBuilder(item, context).build();
-}
-
-void check_table(const ReportItem& item) {
-  static_cast<void>(table_options(item));
-  for (const std::string& name : item.values) {
-    try {
-      static_cast<void>(ValueName(name));
-    } catch (const InputError& error) {
-      throw InputError(item.where, error.what());
-    }
-  }
+TableKind cells_table_kind() {
+  return {"cells", "values of the jobs, by axes", table_option_specs(),
+          [](const ReportItem& item, const ReportContext& context) {
+            return TableBuilder(item, context).build();
+          },
+          true};
 }
 
 std::vector<HeadingSpan> heading_spans(const Table& table, std::size_t level) {

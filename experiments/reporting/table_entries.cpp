@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "experiments/reporting/report_context.h"
+#include "experiments/reporting/table_kind.h"
 #include "experiments/runner/report_item.h"
 
 namespace gcslab {
-namespace {
 
-const std::vector<OptionSpec>& declared_options() {
+const std::vector<OptionSpec>& table_option_specs() {
   static const std::vector<OptionSpec> options = {
       {.name = "relative_to",
        .meaning = "method to which ratios of every number are added",
@@ -25,6 +24,8 @@ const std::vector<OptionSpec>& declared_options() {
   return options;
 }
 
+namespace {
+
 void mark_best_of(const std::vector<TableEntry*>& rivals, bool least_is_best) {
   const auto by_median = [](const TableEntry* a, const TableEntry* b) {
     return a->measure->median < b->measure->median;
@@ -38,22 +39,14 @@ void mark_best_of(const std::vector<TableEntry*>& rivals, bool least_is_best) {
 
 }  // namespace
 
-Options table_options(const ReportItem& item) {
-  std::map<std::string, std::string> given;
-  for (const auto& [name, value] : item.options) given[name] = value.text;
-  try {
-    return Options(declared_options(), given, "a table");
-  } catch (const InputError& error) {
-    throw InputError(item.where, error.what());
-  }
-}
+Options table_options(const ReportItem& item) { return options_of(item, table_kinds().at("cells")); }
 
 TableEntries::TableEntries(const ReportItem& item, const ReportContext& context)
-    : rows_(select_rows(context.rows, item)), axes_(item.rows) {
+    : rows_(context, item), axes_(item.rows) {
   axes_.insert(axes_.end(), item.columns.begin(), item.columns.end());
-  check_groups(rows_, axes_, item);
-  row_keys_ = keys_on(rows_, item.rows);
-  column_keys_ = keys_on(rows_, item.columns);
+  check_groups(rows(), axes_, item);
+  row_keys_ = keys_on(rows(), item.rows);
+  column_keys_ = keys_on(rows(), item.columns);
   list_quantities(item, table_options(item).word("relative_to"));
   measure_all();
   if (!item.best.empty() && has_axis("method")) mark_best(item.best, context.baselines);
@@ -71,7 +64,7 @@ void TableEntries::list_quantities(const ReportItem& item, const std::string& re
   for (const std::string& name : item.values) quantities_.push_back({ValueName(name), ""});
   if (reference.empty()) return;
   const bool is_shown =
-      std::ranges::any_of(rows_, [&](const Row* row) { return row->at("method") == reference; });
+      std::ranges::any_of(rows(), [&](const Row* row) { return row->at("method") == reference; });
   if (!has_axis("method") || !is_shown) {
     throw InputError(item.where, "relative_to: '" + reference + "' is no method of this table");
   }
@@ -85,17 +78,17 @@ void TableEntries::measure_all() {
         AxisKey key = row_key;
         key.insert(key.end(), column_key.begin(), column_key.end());
         entries_.push_back(
-            {key, quantity, rows_at(rows_, axes_, key), measure_of(key, quantities_[quantity]), false});
+            {key, quantity, rows_at(rows(), axes_, key), measure_of(key, quantities_[quantity]), false});
       }
     }
   }
 }
 
 std::optional<Measure> TableEntries::measure_of(const AxisKey& key, const Quantity& quantity) const {
-  std::optional<Measure> found = measure(rows_at(rows_, axes_, key), quantity.value);
+  std::optional<Measure> found = measure(rows_at(rows(), axes_, key), quantity.value);
   if (quantity.relative_to.empty() || !found) return found;
   const auto reference =
-      measure(rows_at(rows_, axes_, with_method(key, quantity.relative_to)), quantity.value);
+      measure(rows_at(rows(), axes_, with_method(key, quantity.relative_to)), quantity.value);
   if (!found->is_number() || !reference || !reference->is_number() || reference->median == 0)
     return std::nullopt;
   return summarise({found->median / reference->median});
@@ -111,7 +104,7 @@ AxisKey TableEntries::with_method(AxisKey key, const std::string& method) const 
 void TableEntries::mark_best(const std::string& direction, const std::vector<std::string>& baselines) {
   std::map<std::pair<std::size_t, AxisKey>, std::vector<TableEntry*>> questions;
   for (TableEntry& entry : entries_) {
-    if (!entry.measure || !entry.measure->is_number()) continue;
+    if (!entry.measure || !entry.measure->is_number() || entry.rows.front()->is_reference) continue;
     if (std::ranges::find(baselines, entry.rows.front()->at("method")) != baselines.end()) continue;
     questions[{entry.quantity, with_method(entry.key, "")}].push_back(&entry);
   }

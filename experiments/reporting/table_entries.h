@@ -9,11 +9,10 @@
 
 #include "base/option.h"
 #include "experiments/reporting/measure.h"
-#include "experiments/reporting/row_table.h"
+#include "experiments/reporting/report_context.h"
 
 namespace gcslab {
 
-struct ReportContext;
 struct ReportItem;
 
 /// A value of the table, or its ratio to that of a method.
@@ -36,7 +35,7 @@ class TableEntries {
   /// Throws InputError when the item cannot be a table of these rows.
   TableEntries(const ReportItem& item, const ReportContext& context);
 
-  const RowPointers& rows() const { return rows_; }
+  const RowPointers& rows() const { return rows_.all(); }
   const std::vector<std::string>& axes() const { return axes_; }
   bool has_axis(const std::string& axis) const;
   const std::vector<AxisKey>& row_keys() const { return row_keys_; }
@@ -51,10 +50,11 @@ class TableEntries {
   std::optional<Measure> measure_of(const AxisKey& key, const Quantity& quantity) const;
   AxisKey with_method(AxisKey key, const std::string& method) const;
   /// Marks, among the methods that answer the same question, the one with the least (or greatest) median.
-  /// Equal ones share the mark; where all are equal, or baselines, there is none.
+  /// Equal ones share the mark; where all are equal, or baselines, there is none. Other programs' figures
+  /// take no part.
   void mark_best(const std::string& direction, const std::vector<std::string>& baselines);
 
-  RowPointers rows_;
+  SelectedRows rows_;
   std::vector<std::string> axes_;
   std::vector<AxisKey> row_keys_;
   std::vector<AxisKey> column_keys_;
@@ -62,8 +62,10 @@ class TableEntries {
   std::vector<TableEntry> entries_;  ///< quantity by quantity, row by row, column by column
 };
 
-/// The options of a table, with defaults: relative_to, spread, layout. Throws InputError with the item's
-/// place.
+const std::vector<OptionSpec>& table_option_specs();
+
+/// The options of a table of cells, with defaults: relative_to, spread, layout. Throws InputError with the
+/// item's place.
 Options table_options(const ReportItem& item);
 
 }  // namespace gcslab

@@ -56,6 +56,7 @@ MethodChoice read_method(const YamlNode& node, const Task& task) {
   choice.where = node.where();
   const auto options = node.find("options");
   choice.options = options ? read_options(*options, method) : Options(method.options, {}, method.name);
+  if (method.promise_with) choice.promise = method.promise_with(choice.options);
   if (const auto label = node.find("label")) choice.label = label->text();
   return choice;
 }

@@ -10,10 +10,10 @@
 namespace gcslab {
 namespace {
 
-const std::vector<std::string> kTableKeys = {"file",   "caption", "rows",  "columns",
-                                             "values", "best",    "filter"};
-const std::vector<std::string> kFigureKeys = {"file",    "caption", "kind",  "rows",
-                                              "columns", "values",  "filter"};
+const std::vector<std::string> kTableKeys = {"file",   "caption", "kind",   "rows",      "columns",
+                                             "values", "best",    "filter", "references"};
+const std::vector<std::string> kFigureKeys = {"file",    "caption", "kind",   "rows",
+                                              "columns", "values",  "filter", "references"};
 
 /// What names in a report item may refer to.
 struct Vocabulary {
@@ -83,6 +83,17 @@ void refuse_shared_axes(const ReportItem& item) {
   }
 }
 
+std::vector<PlacedText> read_references(const YamlNode& node) {
+  std::vector<PlacedText> references;
+  std::vector<std::string> names;
+  for (const YamlNode& name : one_or_more(node)) {
+    refuse_repetition(name, names);
+    names.push_back(name.text());
+    references.push_back({name.text(), name.where()});
+  }
+  return references;
+}
+
 /// The keys that tables and figures share.
 ReportItem read_common(const YamlNode& node, const Vocabulary& vocabulary) {
   ReportItem item;
@@ -94,6 +105,7 @@ ReportItem read_common(const YamlNode& node, const Vocabulary& vocabulary) {
     item.columns = known_words(*columns, "axis", vocabulary.axes);
   if (const auto values = node.find("values")) item.values = read_values(*values, vocabulary.values);
   if (const auto filter = node.find("filter")) item.filter = read_filter(*filter, vocabulary);
+  if (const auto references = node.find("references")) item.references = read_references(*references);
   refuse_shared_axes(item);
   return item;
 }
@@ -108,7 +120,11 @@ void read_options(const YamlNode& node, const std::vector<std::string>& own_keys
 ReportItem read_table(const YamlNode& node, const Vocabulary& vocabulary) {
   ReportItem item = read_common(node, vocabulary);
   item.form = ReportItem::Form::table;
-  for (const char* required : {"rows", "values"}) static_cast<void>(node.at(required));
+  if (const auto kind = node.find("kind")) {
+    item.kind = kind->text();
+  } else {
+    for (const char* required : {"rows", "values"}) static_cast<void>(node.at(required));
+  }
   if (const auto best = node.find("best")) item.best = known_word(*best, "choice of best", {"min", "max"});
   read_options(node, kTableKeys, item);
   return item;

@@ -28,14 +28,16 @@ struct ReportItem {
   SourceLocation where;
   std::string file;  ///< name of the files it makes, without folder and extension; unique in the experiment
   std::string caption;               ///< empty: the experiment's title
-  std::string kind;                  ///< of figures: "cover_panels", ...
-  std::vector<std::string> rows;     ///< axes; a table always has some
+  std::string kind;                  ///< of figures "cover_panels", ...; of tables "cells" when empty, ...
+  std::vector<std::string> rows;     ///< axes; a table of cells always has some
   std::vector<std::string> columns;  ///< axes; none: one column
   /// Values of the task, measures (report_measures), axes with numbers, or quotients "a/b" of two of these.
   std::vector<std::string> values;
   std::string best;  ///< of tables: "min", "max", or empty: no value is marked
   /// axis -> the texts of its values that are shown; an axis without an entry is shown whole.
   std::map<std::string, std::vector<std::string>> filter;
+  /// Tables of figures of other programs, shown as further methods.
+  std::vector<PlacedText> references{};
   std::map<std::string, PlacedText> options;  ///< all other keys; the form and kind decide what they mean
 };
 

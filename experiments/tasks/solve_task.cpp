@@ -14,7 +14,8 @@ std::string SolveTask::summary() const { return "every real solution of a system
 std::vector<MethodInfo> SolveTask::methods() const {
   std::vector<MethodInfo> methods;
   for (const SolverMethod& method : solver_method_registry().entries()) {
-    methods.push_back({method.name, method.summary, Promise::rigorous, method.version, method.options()});
+    methods.push_back({method.name, method.summary, Promise::rigorous, method.version, method.options(),
+                       &SolverMethod::promise});
   }
   return methods;
 }

@@ -7,6 +7,7 @@
 // machine show in the timings only. A new task is one source file here and one line in registry.cpp.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stop_token>
 #include <string>
@@ -60,6 +61,9 @@ struct MethodInfo {
   Promise promise = Promise::rigorous;
   int version = 1;  ///< raised when the answers (values, counts) of the method change
   std::vector<OptionSpec> options{};
+  /// Where some options are baselines: the promise of the method with these. Empty: `promise`, whatever they
+  /// are.
+  std::function<Promise(const Options&)> promise_with{};
 };
 
 /// One number that the results of a task hold, for tables and `gcslab describe`.

@@ -15,8 +15,6 @@
 namespace gcslab {
 namespace {
 
-constexpr std::size_t kMaximumSize = std::size_t{1} << 20;
-
 /// The largest degree of each variable in any equation.
 Exponents common_degrees(const SystemFunctions& functions) {
   Exponents result(functions.variables(), 0);
@@ -39,22 +37,25 @@ void refuse_unless_polynomial(const SystemFunctions& functions) {
   }
 }
 
-void refuse_too_large(const SystemFunctions& functions, const Exponents& degrees) {
-  const std::size_t size = coefficient_count(degrees) * functions.equations().size();
-  if (size <= kMaximumSize) return;
-  throw NotApplicable("the Bernstein tensors of the equations have " + std::to_string(size) +
-                      " coefficients, more than " + std::to_string(kMaximumSize));
+/// Their number has many digits for many variables: counted exactly, so that the reason is true.
+void refuse_too_large(const SystemFunctions& functions, const Exponents& degrees, std::size_t most) {
+  mpz_class size = static_cast<unsigned long>(functions.equations().size());
+  for (const int degree : degrees) size *= degree + 1;
+  if (size <= static_cast<unsigned long>(most)) return;
+  throw NotApplicable("the Bernstein tensors of the equations have " + size.get_str() +
+                      " coefficients, more than " + std::to_string(most));
 }
 
 template <class T>
 class BernsteinContractor final : public Contractor {
  public:
-  BernsteinContractor(const SystemFunctions& functions, BernsteinProjection projection, int bits)
+  BernsteinContractor(const SystemFunctions& functions, BernsteinProjection projection, int bits,
+                      std::size_t maximum_coefficients)
       : functions_(&functions),
         projection_(projection),
         bits_(bits),
         slopes_(made(functions)),
-        converter_(converter_for(functions, bits)),
+        converter_(converter_for(functions, bits, maximum_coefficients)),
         jacobian_(functions.equations().size(), functions.variables()) {}
 
   bool contract(Box& box, ProofTrace& trace) override {
@@ -76,10 +77,11 @@ class BernsteinContractor final : public Contractor {
     return SystemEvaluator<double>(functions);
   }
 
-  static BernsteinConverter<T> converter_for(const SystemFunctions& functions, int bits) {
+  static BernsteinConverter<T> converter_for(const SystemFunctions& functions, int bits,
+                                             std::size_t maximum_coefficients) {
     refuse_unless_polynomial(functions);
     const Exponents degrees = common_degrees(functions);
-    refuse_too_large(functions, degrees);
+    refuse_too_large(functions, degrees, maximum_coefficients);
     std::vector<Polynomial> polynomials;
     for (const SystemFunction& equation : functions.equations()) polynomials.push_back(*equation.polynomial);
     const typename NumberTraits<T>::Scope scope(bits);
@@ -175,17 +177,22 @@ class BernsteinContractor final : public Contractor {
 
 template <class T>
 std::unique_ptr<Contractor> make_bernstein_contractor(const SystemFunctions& functions,
-                                                      BernsteinProjection projection, int bits) {
-  return std::make_unique<BernsteinContractor<T>>(functions, projection, bits);
+                                                      BernsteinProjection projection, int bits,
+                                                      std::size_t maximum_coefficients) {
+  return std::make_unique<BernsteinContractor<T>>(functions, projection, bits, maximum_coefficients);
 }
 
 template std::unique_ptr<Contractor> make_bernstein_contractor<FastInterval>(const SystemFunctions&,
-                                                                             BernsteinProjection, int);
+                                                                             BernsteinProjection, int,
+                                                                             std::size_t);
 template std::unique_ptr<Contractor> make_bernstein_contractor<BoostInterval>(const SystemFunctions&,
-                                                                              BernsteinProjection, int);
+                                                                              BernsteinProjection, int,
+                                                                              std::size_t);
 template std::unique_ptr<Contractor> make_bernstein_contractor<MpfrInterval>(const SystemFunctions&,
-                                                                             BernsteinProjection, int);
+                                                                             BernsteinProjection, int,
+                                                                             std::size_t);
 template std::unique_ptr<Contractor> make_bernstein_contractor<UnroundedInterval>(const SystemFunctions&,
-                                                                                  BernsteinProjection, int);
+                                                                                  BernsteinProjection, int,
+                                                                                  std::size_t);
 
 }  // namespace gcslab

@@ -16,10 +16,12 @@ enum class BernsteinProjection {
 /// variable i, then bound where on that side it can vanish.
 ///
 /// Throws NotApplicable for a system that is not polynomial, and for one whose tensors, equations times
-/// prod (d_i + 1) with d_i the largest degree in variable i, have more than 2^20 coefficients: their number
-/// grows exponentially with the variables. Unbounded boxes are left as they are.
+/// prod (d_i + 1) with d_i the largest degree in variable i, have more coefficients than allowed: their
+/// number grows exponentially with the variables. Unbounded boxes are left as they are.
 template <class T>
 std::unique_ptr<Contractor> make_bernstein_contractor(const SystemFunctions& functions,
-                                                      BernsteinProjection projection, int bits = 53);
+                                                      BernsteinProjection projection, int bits = 53,
+                                                      std::size_t maximum_coefficients = std::size_t{1}
+                                                                                         << 20);
 
 }  // namespace gcslab

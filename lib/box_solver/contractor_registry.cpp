@@ -51,7 +51,7 @@ Made make_box_consistency(const SystemFunctions& functions, const ContractorSett
 template <BernsteinProjection projection>
 Made make_bernstein(const SystemFunctions& functions, const ContractorSettings& settings) {
   return with_arithmetic(settings.arithmetic, [&]<class T>(std::type_identity<T>) -> Made {
-    return make_bernstein_contractor<T>(functions, projection, settings.bits);
+    return make_bernstein_contractor<T>(functions, projection, settings.bits, settings.maximum_coefficients);
   });
 }
 

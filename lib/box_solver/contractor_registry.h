@@ -21,7 +21,8 @@ struct ContractorSettings {
   double propagation_ratio = 0.1;  ///< a change of a side below this part of it wakes no function
   std::string lp = "simplex";      ///< the solver of linear programs
   std::string lp_safety = "dual";  ///< what is believed of its answers
-  double fixpoint_ratio = 0.2;     ///< a round is repeated while it shrinks some side by this part
+  std::size_t maximum_coefficients = std::size_t{1} << 20;  ///< of all Bernstein tensors together
+  double fixpoint_ratio = 0.2;  ///< a round is repeated while it shrinks some side by this part
 };
 
 struct ContractorVariant {
