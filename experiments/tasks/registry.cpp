@@ -7,6 +7,7 @@
 #include "experiments/tasks/illustrate_task.h"
 #include "experiments/tasks/range_task.h"
 #include "experiments/tasks/reduction_task.h"
+#include "experiments/tasks/replay_task.h"
 #include "experiments/tasks/solve_task.h"
 
 namespace gcslab {
@@ -20,6 +21,7 @@ const TaskRegistry& task_registry() {
                                                  TaskEntry(std::make_shared<ConversionTask>()),
                                                  TaskEntry(std::make_shared<IllustrateTask>()),
                                                  TaskEntry(std::make_shared<ReductionTask>()),
+                                                 TaskEntry(std::make_shared<ReplayTask>()),
                                              });
   return registry;
 }
