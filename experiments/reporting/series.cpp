@@ -11,6 +11,7 @@
 #include "experiments/reporting/number_format.h"
 #include "experiments/reporting/palette.h"
 #include "experiments/reporting/plot_axis.h"
+#include "experiments/reporting/power_law.h"
 
 namespace gcslab {
 namespace {
@@ -253,8 +254,32 @@ class SeriesFigure {
       lines += fmt::format(", \\\n  data index {} using 1:2 with linespoints pt {} ps 0.45 {}", block,
                            look.point_type, look.line_style());
     }
+    if (request_.options.flag("fit")) lines += fit_layers(panel, y);
     const std::string layers = bands + lines;
     return layers.empty() ? "plot NaN" : "plot " + layers.substr(2);
+  }
+
+  /// A thin line for each line that has a power law, and its exponent among the notes.
+  std::string fit_layers(const SeriesPanel& panel, const PlotAxis& y) {
+    std::string layers;
+    for (std::size_t i = 0; i < panel.lines.size(); ++i) {
+      std::vector<std::pair<double, double>> numbers;
+      for (const SeriesPoint& point : panel.lines[i]) numbers.emplace_back(point.x, point.y.median);
+      const auto law = fitted_power_law(numbers);
+      if (!law) continue;
+      std::vector<SeriesPoint> ends;
+      for (const double x : {law->from, law->to}) {
+        const double value = law->at(x);
+        ends.push_back({x, summarise({value})});
+      }
+      const std::size_t block =
+          figure_.add_data("power law of " + line_names_[i], data_lines(panel, ends, y));
+      layers += fmt::format(", \\\n  data index {} using 1:2 with lines lw 1 lc rgb '{}' dt 2", block,
+                            line_look(i).colour);
+      fits_.push_back(fmt::format("{}{}: {:.2f}", panel.title.empty() ? "" : panel.title + ", ",
+                                  line_names_[i], law->exponent));
+    }
+    return layers;
   }
 
   std::string data_lines(const SeriesPanel& panel, const std::vector<SeriesPoint>& points,
@@ -297,6 +322,12 @@ class SeriesFigure {
       figure_.notes.push_back(
           fmt::format("Points: medians over {}; {}: least to greatest.", over, bars ? "bars" : "bands"));
     }
+    if (!fits_.empty()) {
+      std::string exponents;
+      for (const std::string& fit : fits_) exponents += (exponents.empty() ? "" : "; ") + fit;
+      figure_.notes.push_back("Dashed: powers of " + x_.heading() +
+                              ", fitted to the upper half of its range, with exponents " + exponents + ".");
+    }
     if (has_zeros_) figure_.notes.emplace_back("Points on the lower edge are 0 or less.");
     const std::string machine = machine_text(request_.context.rows);
     const bool timed =
@@ -319,6 +350,7 @@ class SeriesFigure {
   std::size_t per_line_ = 1;
   double left_ = 0, numbers_ = 0, gap_ = 0, panel_width_ = 0, panel_height_ = 0, title_height_ = 0,
          legend_ = 0;
+  std::vector<std::string> fits_;
   bool has_zeros_ = false;
   bool shows_spread_ = false;
 };
@@ -332,6 +364,7 @@ FigureKind series_kind() {
       {{.name = "x", .meaning = "the axis or value that stands below", .default_value = ""},
        {.name = "logx", .meaning = "logarithmic axis below", .default_value = false},
        {.name = "logy", .meaning = "logarithmic upright axis", .default_value = true},
+       {.name = "fit", .meaning = "powers of x fitted to the lines", .default_value = false},
        {.name = "x_label", .meaning = "text below; empty: the value's name", .default_value = ""},
        {.name = "y_label", .meaning = "text beside; empty: the value's name", .default_value = ""},
        {.name = "spread",
