@@ -89,19 +89,21 @@ class AgainstBuilder {
     table_.caption = item_.caption.empty() ? context_.title : item_.caption;
     table_.head_names = {"problem"};
     table_.record_axes = {"problem", "method"};
-    table_.column_heads = {{"better of the references (not the same run)", unit_heading()}};
+    table_.column_heads = {{"better of the references (not the same run)", value_heading()}};
     for (const std::size_t method : ours_) {
-      table_.column_heads.push_back({comparison_.methods()[method], unit_heading()});
+      table_.column_heads.push_back({comparison_.methods()[method], value_heading()});
       table_.column_heads.push_back({comparison_.methods()[method], "ratio"});
     }
-    TableBlock block{value_.heading(), {}};
+    TableBlock block{"problem by problem", {}};
     for (std::size_t problem = 0; problem < comparison_.problems(); ++problem) {
       if (has_figure(problem)) block.lines.push_back(line_of(problem));
     }
     table_.blocks.push_back(std::move(block));
   }
 
-  std::string unit_heading() const { return value_.unit().empty() ? value_.heading() : value_.unit(); }
+  std::string value_heading() const {
+    return value_.unit().empty() ? value_.heading() : value_.heading() + " [" + value_.unit() + "]";
+  }
 
   TableLine line_of(std::size_t problem) {
     const std::string& name = comparison_.problem_name(problem);

@@ -74,14 +74,12 @@ class ProfileFigure {
     return value.unit() == "s" ? request_.options.real("shortest_time") : 1;
   }
 
-  double largest_ratio() const {
+  double largest_ratio(const ProfilePanel& panel) const {
     const double wanted = request_.options.real("largest_ratio");
     if (wanted > 0) return wanted;
     double largest = 2;
-    for (const ProfilePanel& panel : panels_) {
-      for (const PerformanceProfile& profile : panel.profiles) {
-        if (!profile.ratios.empty()) largest = std::max(largest, profile.ratios.back());
-      }
+    for (const PerformanceProfile& profile : panel.profiles) {
+      if (!profile.ratios.empty()) largest = std::max(largest, profile.ratios.back());
     }
     return largest * 1.2;
   }
@@ -108,11 +106,16 @@ class ProfileFigure {
     return {kLeft + column * (panel_width_ + kGap), top - panel_height_, panel_width_, panel_height_};
   }
 
-  PlotAxis ratio_axis() const {
-    PlotAxis axis = logarithmic_axis({1, largest_ratio()});
+  /// From exactly 1: to the left of it there is nothing. A short axis needs more tics than powers of ten.
+  PlotAxis ratio_axis(const ProfilePanel& panel) const {
+    constexpr double kShort = 200;
+    const double edge = largest_ratio(panel);
+    PlotAxis axis = logarithmic_axis({1, edge});
     axis.low = 1;
-    axis.high = largest_ratio();
-    std::erase_if(axis.tics, [&](const auto& tic) { return tic.first < 1 || tic.first > axis.high; });
+    axis.high = edge;
+    if (edge <= kShort)
+      axis.tics = {{1, "1"}, {2, "2"}, {5, "5"}, {10, "10"}, {20, "20"}, {50, "50"}, {100, "100"}};
+    std::erase_if(axis.tics, [&](const auto& tic) { return tic.first < 1 || tic.first > edge; });
     return axis;
   }
 
@@ -132,7 +135,7 @@ class ProfileFigure {
                    {"center", kSmallText, "#202020", true});
     if (index == 0) draw_legend(figure_, comparison_.methods(), kLeft, legend_);
     figure_.place(box);
-    figure_.command(ratio_axis().commands('x'));
+    figure_.command(ratio_axis(panel).commands('x'));
     PlotAxis shares = exact_axis(0, 100);
     shares.high = 102;  // a line at 100 % stands clear of the edge
     figure_.command(shares.commands('y', is_first));
@@ -146,8 +149,9 @@ class ProfileFigure {
     std::string lines;
     for (std::size_t method = 0; method < panel.profiles.size(); ++method) {
       const std::string& name = comparison_.methods()[method];
-      const std::size_t block = figure_.add_data(
-          panel.value.heading() + ", " + name + "; ratio, % of problems", data_lines(panel.profiles[method]));
+      const std::size_t block =
+          figure_.add_data(panel.value.heading() + ", " + name + "; ratio, % of problems",
+                           data_lines(panel.profiles[method], largest_ratio(panel)));
       const LineLook look = line_look(method);
       lines += fmt::format(", \\\n  data index {} using 1:2 with steps {}", block, look.line_style(1.4));
       lines += fmt::format(", \\\n  data index {} using 1:2 every {} with points pt {} ps 0.45 lc rgb '{}'",
@@ -162,8 +166,7 @@ class ProfileFigure {
   }
 
   /// A step at every ratio, and the line on to the right edge.
-  std::string data_lines(const PerformanceProfile& profile) const {
-    const double edge = largest_ratio();
+  static std::string data_lines(const PerformanceProfile& profile, double edge) {
     std::string lines;
     double share = 100 * profile.share(1);
     lines += fmt::format("1 {}\n", plot_number(share));

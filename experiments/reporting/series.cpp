@@ -212,7 +212,7 @@ class SeriesFigure {
     const PanelBox box = box_of(index);
     const bool is_first = index % per_line_ == 0;
     figure_.command("\n# " + panel.title);
-    if (has_titles()) figure_.text(box.left, box.top() + 2.2, panel.title, {"left", kTitleText});
+    if (has_titles()) figure_.text(box.left, box.top() + 2.2, title_of(panel), {"left", kTitleText});
     figure_.text(box.centre(), box.bottom - 6.3, x_label(), {"center"});
     if (is_first)
       figure_.text(2, (box.bottom + box.top()) / 2, y_label(panel), {"center", kSmallText, "#202020", true});
@@ -225,6 +225,12 @@ class SeriesFigure {
     figure_.command("set border 3");
     figure_.command(plot_command(panel, y));
     figure_.clear_texts();
+  }
+
+  /// With its unit where the panels show several values: the upright label stands beside the first one only.
+  std::string title_of(const SeriesPanel& panel) const {
+    const std::string unit = y_scale(panel).unit;
+    return item_.values.size() < 2 || unit.empty() ? panel.title : panel.title + " [" + unit + "]";
   }
 
   std::string x_label() const {

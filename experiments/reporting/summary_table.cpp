@@ -108,7 +108,7 @@ class SummaryBuilder {
   void choose_columns() {
     columns_ = {count_column("problems", &MethodSummary::problems),
                 count_column("complete, proved", &MethodSummary::complete),
-                count_column("ended without", &MethodSummary::partial),
+                count_column("ended without proof", &MethodSummary::partial),
                 count_column("not ended", &MethodSummary::unsolved),
                 count_column("lost roots", &MethodSummary::lost),
                 count_column("open roots", &MethodSummary::open),
@@ -190,14 +190,13 @@ class SummaryBuilder {
 
   void write_notes() {
     note(
-        "Complete, proved: every solution found, with proof that none is missing. Ended without: boxes are "
-        "left "
-        "undecided, or the method proves nothing. Not ended: time or memory ran out, or not applicable.");
+        "Complete, proved: every solution found, with proof that none is missing. Ended without proof: boxes "
+        "are left undecided, or the method proves nothing. Not ended: time or memory ran out, or not "
+        "applicable.");
     note(
-        "Lost roots: known ones that a run which left nothing undecided did not find. Open roots: known ones "
-        "that "
-        "are not certified, but may lie in boxes left undecided. False roots: more solutions than are "
-        "known.");
+        "Lost roots: known ones that a run which left nothing undecided did not find, or that are known to "
+        "lie in no box of its answer. Open roots: other known ones without certificate, which may lie in "
+        "boxes left undecided. False roots: more solutions than are known.");
     note(fmt::format(
         "Means: shifted geometric means of the {}, shift {}{}.", value_.heading(), in_unit(shift()),
         is_time()

@@ -58,20 +58,23 @@ struct TimedReduction {
 };
 
 TimedReduction reduce(Contractor& contractor, const Box& whole) {
-  constexpr double kLongEnough = 0.02;
+  constexpr double kLongEnough = 0.1;  // many ticks of a coarse processor clock
   const auto once = [&] {
     TimedReduction result{whole};
     ProofTrace trace;
     result.has_root = contractor.contract(result.box, trace);
     return result;
   };
-  const Stopwatch first;
+  Stopwatch watch;
   TimedReduction result = once();  // makes what is made once for a system
   int calls = 1;
-  Stopwatch watch = first;
-  if (first.wall_s() < kLongEnough) {
-    watch = Stopwatch();
-    for (calls = 0; calls == 0 || watch.wall_s() < kLongEnough; ++calls) static_cast<void>(once());
+  for (int more = 1; watch.cpu_s() < kLongEnough; more *= 2) {
+    if (more == 1) {
+      watch = Stopwatch();
+      calls = 0;
+    }
+    for (int i = 0; i < more; ++i) static_cast<void>(once());
+    calls += more;
   }
   result.wall_s = watch.wall_s() / calls;
   result.cpu_s = watch.cpu_s() / calls;

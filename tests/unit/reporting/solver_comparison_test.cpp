@@ -147,7 +147,7 @@ TEST(SummaryTable, CountsAndMeansAreThoseByHand) {
   };
   EXPECT_EQ(number("quick", "problems"), 5);
   EXPECT_EQ(number("quick", "complete, proved"), 3);
-  EXPECT_EQ(number("quick", "ended without"), 1);
+  EXPECT_EQ(number("quick", "ended without proof"), 1);
   EXPECT_EQ(number("quick", "not ended"), 1);
   EXPECT_EQ(number("quick", "open roots"), 2);
   EXPECT_EQ(number("quick", "false roots"), 1);
