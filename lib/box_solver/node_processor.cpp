@@ -60,7 +60,7 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
 
 NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions) {
   NodeOutcome outcome;
-  outcome.trace = ProofTrace(options_->proof != nullptr);
+  outcome.trace = ProofTrace(options_->proof != nullptr || options_->record != nullptr);
   outcome.box = node.box;
   if (is_excluded(outcome, exclusions)) return outcome;
   contractor_->recall(node.memory);
