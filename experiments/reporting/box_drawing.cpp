@@ -158,14 +158,15 @@ void draw_boxes(FigureScript& figure, const PanelBox& panel, const SearchPicture
 }
 
 std::string box_colours_text(bool fills, bool curves) {
-  std::string text = "Grey lines: boxes as they were taken; light blue lines: after each reduction";
+  std::string text = "Lines: boxes as they were taken (grey) and after each reduction (blue).";
   if (fills) {
     text +=
-        "; pale blue: cut off by reductions; grey: what was found empty; green: what is left around a "
-        "certified root; orange: undecided; yellow: not searched";
+        " Areas: cut off by reductions (pale blue), found empty (grey), left around a certified root "
+        "(green), "
+        "undecided (orange), not searched (yellow).";
   }
-  if (curves) text += "; blue and red: the equations";
-  return text + "; discs: certified roots; diamonds: undecided boxes too small to see.";
+  if (curves) text += " Curves: the equations (blue, red), borders of inequalities (dashed).";
+  return text + " Discs: certified roots; diamonds: undecided boxes too small to see.";
 }
 
 std::string box_counts_text(const SearchPicture& picture, double room) {

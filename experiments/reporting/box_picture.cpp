@@ -16,11 +16,12 @@ namespace gcslab {
 namespace {
 
 constexpr double kPanelWidth = 74;
+constexpr double kKeyLine = 3;  // from one line of the key to the colours to the next
 
 std::size_t number_of(const std::string& name, const std::vector<std::string>& variables) {
   const auto found = std::ranges::find(variables, name);
   if (found == variables.end()) {
-    throw InputError("--figure-variables: " + unknown_name_message("unknown", name, variables));
+    throw InputError("--figure-variables: " + unknown_name_message("variable", name, variables));
   }
   return static_cast<std::size_t>(found - variables.begin());
 }
@@ -65,23 +66,29 @@ void write_box_picture(const Problem& problem, const SearchPicture& picture,
   FigureScript figure;
   figure.width = kColumnWidth;
   const double height = kPanelWidth * panel_aspect(shown_domain(picture, style));
-  const PanelBox panel = {8.5, 11.5, kPanelWidth, height};
-  figure.height = height + 16.5;
+  const bool is_plane = picture.domain.size() == 2;
+  const std::string colours = box_colours_text(is_plane, is_plane);
+  const std::vector<std::string> key = wrapped(colours, kColumnWidth - 3);
+  const double key_height = kKeyLine * static_cast<double>(key.size());
+  const PanelBox panel = {8.5, key_height + 11.5, kPanelWidth, height};
+  figure.height = panel.top() + 5;
   const std::string title = heading_of("problem", problem.name) + ", " + method;
   const TextStyle quiet = {"center", kSmallText, palette::kQuietText};
   figure.text(panel.centre(), panel.top() + 2.4, title, {"center", kTitleText});
-  figure.text(panel.centre(), 6.2, problem.system.variables[variables[0]], quiet);
-  figure.text(1.8, panel.bottom + height / 2, problem.system.variables[variables[1]],
+  figure.text(panel.centre(), panel.bottom - 5.3, problem.system.variables[variables[0]], quiet);
+  figure.text(1.8, panel.bottom + 0.75 * height, problem.system.variables[variables[1]],
               {"center", kSmallText, palette::kQuietText, true});
   std::string counts = box_counts_text(picture, kPanelWidth);
   if (picture.told > picture.boxes.size())
     counts += fmt::format(" (the first {} drawn)", format_count(static_cast<double>(picture.boxes.size())));
-  figure.text(panel.centre(), 2.2, counts, quiet);
+  figure.text(panel.centre(), panel.bottom - 8.6, counts, quiet);
+  for (std::size_t i = 0; i < key.size(); ++i)
+    figure.text(1.5, key_height - kKeyLine * static_cast<double>(i), key[i],
+                {"left", kSmallText, palette::kQuietText});
   draw_boxes(figure, panel, picture, traced_curves(problem), style, title);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const bool is_plane = picture.domain.size() == 2;
-  write_figure(figure, "Boxes of " + title + ". " + box_colours_text(is_plane, is_plane), folder,
-               file.stem().string(), {file.extension().string().substr(1)});
+  write_figure(figure, "Boxes of " + title + ". " + colours, folder, file.stem().string(),
+               {file.extension().string().substr(1)});
 }
 
 }  // namespace gcslab

@@ -20,6 +20,23 @@ constexpr double kTicWidth = 4;       // numbers beside a panel that is not the 
 constexpr double kRowLabelWidth = 5;  // the row's name, upwards
 constexpr double kRightMargin = 2;
 constexpr double kTallestPage = 240;
+constexpr double kTitleLine = 3.2;  // from one line of a title to the next
+
+/// A title in one line, or in two where it is too wide: broken after the space or hyphen nearest to its
+/// middle.
+std::vector<std::string> title_lines(const std::string& title, double room) {
+  if (text_width(title, kTitleText) <= room) return {title};
+  std::size_t best = 0;
+  const auto distance = [&](std::size_t at) {
+    return at > title.size() / 2 ? at - title.size() / 2 : title.size() / 2 - at;
+  };
+  for (std::size_t i = 1; i + 1 < title.size(); ++i) {
+    if ((title[i] == ' ' || title[i] == '-') && (best == 0 || distance(i) < distance(best))) best = i;
+  }
+  if (best == 0) return {title};
+  const std::size_t end = title[best] == '-' ? best + 1 : best;
+  return {title.substr(0, end), title.substr(best + 1)};
+}
 
 }  // namespace
 
@@ -112,9 +129,16 @@ void PanelGrid::lay_out() {
   const double room = figure_.width - left_ - kRightMargin - gap_ * static_cast<double>(columns_ - 1);
   // Few panels are not blown up: a square of 80 mm shows every cell of the eighth level.
   panel_width_ = std::min(room / static_cast<double>(columns_), 80.0);
+  title_height_ = kTitleHeight;
+  for (const Line& line : lines_) {
+    for (const std::string& title : line.titles) {
+      if (line.has_titles && title_lines(title, panel_width_ + gap_).size() > 1)
+        title_height_ = kTitleHeight + kTitleLine;
+    }
+  }
   double depth = 0;  // from the top
   for (const Line& line : lines_) {
-    depth += line.has_titles ? kTitleHeight : 0.5;
+    depth += line.has_titles ? title_height_ : 0.5;
     tops_.push_back(depth);
     depth += panel_width_ * line.aspect + kTicHeight + (shows_counts() ? kCountHeight : 0) + kLineGap;
   }
@@ -146,9 +170,7 @@ void PanelGrid::draw_line(const Line& line, double top) {
     if (has_row_labels_ && column == 0) {
       figure_.text(2, (box.bottom + box.top()) / 2, line.label, {"center", kTitleText, palette::kText, true});
     }
-    if (line.has_titles) {
-      figure_.text(box.centre(), box.top() + 2.2, line.titles[column], {"center", kTitleText});
-    }
+    if (line.has_titles) write_title(box, line.titles[column]);
     if (line.domains[column]) {
       const Row& row = *line.rows[column];
       if (shows_counts()) {
@@ -160,6 +182,15 @@ void PanelGrid::draw_line(const Line& line, double top) {
       draw_outcome(line.rows[column], box);
     }
     figure_.clear_texts();
+  }
+}
+
+void PanelGrid::write_title(const PanelBox& box, const std::string& title) {
+  const std::vector<std::string> lines = title_lines(title, panel_width_ + gap_);
+  double y = box.top() + 2.2 + kTitleLine * static_cast<double>(lines.size() - 1);
+  for (const std::string& line : lines) {
+    figure_.text(box.centre(), y, line, {"center", kTitleText});
+    y -= kTitleLine;
   }
 }
 

@@ -56,6 +56,7 @@ class PanelGrid {
                const std::vector<AxisKey>& columns);
   static std::string joined(const std::vector<std::string>& axes, const AxisKey& key);
   void lay_out();
+  void write_title(const PanelBox& box, const std::string& title);
   static bool has_vertical_tics(const Line& line, std::size_t column);
   PanelBox box_of(const Line& line, double top, std::size_t column) const;
   void draw_line(const Line& line, double top);
@@ -71,6 +72,7 @@ class PanelGrid {
   double left_ = 0;
   double gap_ = 0;
   double panel_width_ = 0;
+  double title_height_ = 0;
   bool has_row_labels_ = false;
   bool draws_first_seed_ = false;
 };

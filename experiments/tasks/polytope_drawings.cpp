@@ -136,33 +136,35 @@ std::vector<std::vector<SpacePoint>> lifted_lines(const std::vector<Exponents>& 
   return lines;
 }
 
-SpaceView view_around(const ExactPolytope& polytope) {
-  SpaceView view;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [least, greatest] =
-        std::ranges::minmax(polytope.vertices(), {}, [i](const auto& vertex) { return vertex[i]; });
-    view.lower[i] = least[i].get_d();
-    view.upper[i] = greatest[i].get_d();
+/// The box around what is enclosed.
+SpaceView view_around(const std::vector<std::vector<SpacePoint>>& lines) {
+  SpaceView view{lines[0][0], lines[0][0]};
+  for (const auto& line : lines) {
+    for (const SpacePoint& point : line) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        view.lower[i] = std::min(view.lower[i], point[i]);
+        view.upper[i] = std::max(view.upper[i], point[i]);
+      }
+    }
   }
   return view;
 }
 
 Json draw_in_space(const ExactPolytope& polytope, const std::vector<Exponents>& monomials, const Box& box,
                    const std::vector<std::string>& names, const std::string& title) {
-  const SpaceView view = view_around(polytope);
+  const auto lines = lifted_lines(monomials, box);
+  const SpaceView view = view_around(lines);
   Json shapes = Json::array(), front = Json::array();
   add_polytope(shapes, front, view, polytope);
   add_axes(shapes, view, {names[0], names[1], names[2]});
   const char* style = box.size() == 1 ? "curve" : "mesh";
-  for (const auto& line : lifted_lines(monomials, box))
-    shapes.push_back(shape("polyline", style, points_json(view.seen(line))));
+  for (const auto& line : lines) shapes.push_back(shape("polyline", style, points_json(view.seen(line))));
   for (Json& edge : front) shapes.push_back(std::move(edge));
   ControlPolygon corners;
   for (const auto& vertex : polytope.vertices())
     corners.push_back(view.seen(SpacePoint{vertex[0].get_d(), vertex[1].get_d(), vertex[2].get_d()}));
   shapes.push_back(shape("points", "control", points_json(corners)));
-  return {{"title", title},    {"aspect", "equal"}, {"frame", false},
-          {"x", {-0.12, 1.5}}, {"y", {-0.62, 1.5}}, {"shapes", std::move(shapes)}};
+  return space_panel(title, std::move(shapes));
 }
 
 /// The solver's polytope; drawn in two or three dimensions, counted in up to five.

@@ -133,9 +133,9 @@ Drawn draw_reduction(const std::filesystem::path& path, const Options& options) 
     }
     if (drawn.panels.size() >= panels) continue;
     const ExactPolytope polytope(lifted.in_monomials(PolytopeParts::all).half_spaces);
-    const std::string title = step == 1
-                                  ? "to " + drawn.values["reduction"].get<std::string>()
-                                  : fmt::format("width {:.2g} to {:.2g}", width(before[0]), width(box[0]));
+    const std::string title =
+        step == 1 ? "step 1: to " + drawn.values["reduction"].get<std::string>()
+                  : fmt::format("step {}: width {:.2g} to {:.1g}", step, width(before[0]), width(box[0]));
     drawn.panels.push_back(reduction_panel(quadratic, before[0], box[0], polytope, names, title));
   }
   drawn.values["widths"] = std::move(widths);

@@ -148,12 +148,7 @@ Json surface_panel(const Problem& problem, const Surface& surface) {
     shapes.push_back(shape("polyline", "curve", points_json(view.seen(points))));
   }
   add_axes(shapes, view, {problem.system.variables[0], problem.system.variables[1], "z"});
-  return {{"title", "surface, control points, z = 0"},
-          {"aspect", "equal"},
-          {"frame", false},
-          {"x", {-0.12, 1.5}},
-          {"y", {-0.62, 1.5}},
-          {"shapes", std::move(shapes)}};
+  return space_panel("surface, control points, z = 0", std::move(shapes));
 }
 
 Json side_panel(const Problem& problem, const Surface& surface, const Interval& segment) {
@@ -250,8 +245,8 @@ Drawn draw_preconditioning(const std::filesystem::path& path, const Options&) {
   const std::optional<Box> left = has_roots ? std::optional(reduced) : std::nullopt;
   const std::string what =
       given[0].total_degree() == 1 && given[1].total_degree() == 1 ? "linear" : "nonlinear";
-  return {Json::array({curves_panel(what + ": f", problem, given, std::nullopt),
-                       curves_panel(what + ": preconditioned", problem, preconditioned, left)})};
+  return {Json::array({curves_panel(what + ", f", problem, given, std::nullopt),
+                       curves_panel(what + ", M f", problem, preconditioned, left)})};
 }
 
 // ---- a positive combination (figure 4.8) ----

@@ -7,8 +7,8 @@
 namespace gcslab {
 namespace {
 
-constexpr double kTurned = 25 * std::numbers::pi / 180;  // about the upright axis
-constexpr double kRaised = 22 * std::numbers::pi / 180;  // above the ground
+constexpr double kTurned = -35 * std::numbers::pi / 180;  // about the upright axis
+constexpr double kRaised = 22 * std::numbers::pi / 180;   // above the ground
 
 SpacePoint double_point(const ExactPolytope::Point& point) {
   return {point[0].get_d(), point[1].get_d(), point[2].get_d()};
@@ -35,6 +35,21 @@ bool SpaceView::faces_reader(const SpacePoint& outward) const {
   for (std::size_t i = 0; i < 3; ++i) n[i] = outward[i] * (upper[i] - lower[i]);
   const double away = -std::sin(kTurned) * n[0] + std::cos(kTurned) * n[1];
   return -std::cos(kRaised) * away + std::sin(kRaised) * n[2] > 1e-12;
+}
+
+Json space_panel(const std::string& title, Json shapes) {
+  constexpr double kRoom = 0.06;
+  std::array<std::array<double, 2>, 2> limits = {{{1e300, -1e300}, {1e300, -1e300}}};
+  for (const Json& item : shapes) {
+    for (const Json& point : item["points"]) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        limits[k][0] = std::min(limits[k][0], point[k].get<double>() - kRoom);
+        limits[k][1] = std::max(limits[k][1], point[k].get<double>() + kRoom);
+      }
+    }
+  }
+  return {{"title", title}, {"aspect", "equal"}, {"frame", false},
+          {"x", limits[0]}, {"y", limits[1]},    {"shapes", std::move(shapes)}};
 }
 
 void add_axes(Json& shapes, const SpaceView& view, const std::array<std::string, 3>& names) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// Points of space on paper: an orthographic view of the unit cube from the front right, a little from above.
+// Points of space on paper: an orthographic view of a box from its front corner, a little from above, so that
+// the first axis runs to the right and the second to the left.
 
 #include <array>
 #include <vector>
@@ -23,6 +24,9 @@ struct SpaceView {
   /// Whether a side of which this is the outward normal turns towards the reader.
   bool faces_reader(const SpacePoint& outward) const;
 };
+
+/// A panel without axes around all shapes.
+Json space_panel(const std::string& title, Json shapes);
 
 /// The three axes of the cube from its lower corner, with their names.
 void add_axes(Json& shapes, const SpaceView& view, const std::array<std::string, 3>& names);
