@@ -20,6 +20,7 @@ constexpr double kTicWidth = 4;       // numbers beside a panel that is not the 
 constexpr double kRowLabelWidth = 5;  // the row's name, upwards
 constexpr double kRightMargin = 2;
 constexpr double kTallestPage = 240;
+constexpr double kTicGap = 2;       // from a number to its panel
 constexpr double kTitleLine = 3.2;  // from one line of a title to the next
 
 /// A title in one line, or in two where it is too wide: broken after the space or hyphen nearest to its
@@ -118,7 +119,7 @@ std::string PanelGrid::joined(const std::vector<std::string>& axes, const AxisKe
 void PanelGrid::lay_out() {
   has_row_labels_ =
       std::ranges::any_of(lines_, [this](const Line& l) { return l.label != lines_.front().label; });
-  left_ = kLeftMargin + (has_row_labels_ ? kRowLabelWidth : 0);
+  left_ = std::max(kLeftMargin, number_width() + kTicGap) + (has_row_labels_ ? kRowLabelWidth : 0);
   const bool inner_tics = std::ranges::any_of(lines_, [](const Line& line) {
     for (std::size_t column = 1; column < line.domains.size(); ++column) {
       if (has_vertical_tics(line, column)) return true;
@@ -129,16 +130,9 @@ void PanelGrid::lay_out() {
   const double room = figure_.width - left_ - kRightMargin - gap_ * static_cast<double>(columns_ - 1);
   // Few panels are not blown up: a square of 80 mm shows every cell of the eighth level.
   panel_width_ = std::min(room / static_cast<double>(columns_), 80.0);
-  title_height_ = kTitleHeight;
-  for (const Line& line : lines_) {
-    for (const std::string& title : line.titles) {
-      if (line.has_titles && title_lines(title, panel_width_ + gap_).size() > 1)
-        title_height_ = kTitleHeight + kTitleLine;
-    }
-  }
   double depth = 0;  // from the top
   for (const Line& line : lines_) {
-    depth += line.has_titles ? title_height_ : 0.5;
+    depth += title_height(line);
     tops_.push_back(depth);
     depth += panel_width_ * line.aspect + kTicHeight + (shows_counts() ? kCountHeight : 0) + kLineGap;
   }
@@ -146,6 +140,26 @@ void PanelGrid::lay_out() {
                   gap_ * static_cast<double>(columns_ - 1);
   figure_.height = depth - kLineGap + 0.5;
   for (double& top : tops_) top = figure_.height - top;
+}
+
+double PanelGrid::title_height(const Line& line) const {
+  if (!line.has_titles) return 0.5;
+  const auto is_wide = [&](const std::string& title) {
+    return title_lines(title, panel_width_ + gap_).size() > 1;
+  };
+  return kTitleHeight + (std::ranges::any_of(line.titles, is_wide) ? kTitleLine : 0);
+}
+
+/// Of the numbers beside the first panels.
+double PanelGrid::number_width() const {
+  double widest = 0;
+  for (const Line& line : lines_) {
+    if (line.domains.empty() || !line.domains.front()) continue;
+    const Interval& side = (*line.domains.front())[1];
+    for (const double number : {side.lower, midpoint(side), side.upper})
+      widest = std::max(widest, text_width(fmt::format("{:.3g}", number)));
+  }
+  return widest;
 }
 
 /// A panel shares the numbers of the panel to its left where the upright range is the same.

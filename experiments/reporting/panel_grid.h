@@ -49,6 +49,8 @@ class PanelGrid {
     double aspect = 0;  ///< height over width of the tallest panel
     bool has_titles = true;
   };
+  double title_height(const Line& line) const;
+  double number_width() const;
 
   void collect_lines();
   std::size_t panels_per_line(std::size_t count) const;
@@ -72,7 +74,6 @@ class PanelGrid {
   double left_ = 0;
   double gap_ = 0;
   double panel_width_ = 0;
-  double title_height_ = 0;
   bool has_row_labels_ = false;
   bool draws_first_seed_ = false;
 };

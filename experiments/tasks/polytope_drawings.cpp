@@ -138,7 +138,8 @@ std::vector<std::vector<SpacePoint>> lifted_lines(const std::vector<Exponents>& 
 
 /// The box around what is enclosed.
 SpaceView view_around(const std::vector<std::vector<SpacePoint>>& lines) {
-  SpaceView view{lines[0][0], lines[0][0]};
+  SpaceView view;
+  view.lower = view.upper = lines[0][0];
   for (const auto& line : lines) {
     for (const SpacePoint& point : line) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -153,13 +154,14 @@ SpaceView view_around(const std::vector<std::vector<SpacePoint>>& lines) {
 Json draw_in_space(const ExactPolytope& polytope, const std::vector<Exponents>& monomials, const Box& box,
                    const std::vector<std::string>& names, const std::string& title) {
   const auto lines = lifted_lines(monomials, box);
-  const SpaceView view = view_around(lines);
+  SpaceView view = view_around(lines);
+  if (box.size() == 1) view.turned = 25;  // a curve of increasing powers is seen best from there
   Json shapes = Json::array(), front = Json::array();
   add_polytope(shapes, front, view, polytope);
-  add_axes(shapes, view, {names[0], names[1], names[2]});
   const char* style = box.size() == 1 ? "curve" : "mesh";
   for (const auto& line : lines) shapes.push_back(shape("polyline", style, points_json(view.seen(line))));
   for (Json& edge : front) shapes.push_back(std::move(edge));
+  add_axes(shapes, view, {names[0], names[1], names[2]});
   ControlPolygon corners;
   for (const auto& vertex : polytope.vertices())
     corners.push_back(view.seen(SpacePoint{vertex[0].get_d(), vertex[1].get_d(), vertex[2].get_d()}));

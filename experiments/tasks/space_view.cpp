@@ -7,8 +7,8 @@
 namespace gcslab {
 namespace {
 
-constexpr double kTurned = -35 * std::numbers::pi / 180;  // about the upright axis
-constexpr double kRaised = 22 * std::numbers::pi / 180;   // above the ground
+constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kRaised = 22 * kRadians;  // above the ground
 
 SpacePoint double_point(const ExactPolytope::Point& point) {
   return {point[0].get_d(), point[1].get_d(), point[2].get_d()};
@@ -19,8 +19,8 @@ SpacePoint double_point(const ExactPolytope::Point& point) {
 RationalPoint SpaceView::seen(const SpacePoint& point) const {
   std::array<double, 3> t{};
   for (std::size_t i = 0; i < 3; ++i) t[i] = (point[i] - lower[i]) / (upper[i] - lower[i]);
-  const double across = std::cos(kTurned) * t[0] + std::sin(kTurned) * t[1];
-  const double away = -std::sin(kTurned) * t[0] + std::cos(kTurned) * t[1];
+  const double across = std::cos(turned * kRadians) * t[0] + std::sin(turned * kRadians) * t[1];
+  const double away = -std::sin(turned * kRadians) * t[0] + std::cos(turned * kRadians) * t[1];
   return {Rational(across), Rational(std::cos(kRaised) * t[2] + std::sin(kRaised) * away)};
 }
 
@@ -33,7 +33,7 @@ ControlPolygon SpaceView::seen(const std::vector<SpacePoint>& points) const {
 bool SpaceView::faces_reader(const SpacePoint& outward) const {
   std::array<double, 3> n{};
   for (std::size_t i = 0; i < 3; ++i) n[i] = outward[i] * (upper[i] - lower[i]);
-  const double away = -std::sin(kTurned) * n[0] + std::cos(kTurned) * n[1];
+  const double away = -std::sin(turned * kRadians) * n[0] + std::cos(turned * kRadians) * n[1];
   return -std::cos(kRaised) * away + std::sin(kRaised) * n[2] > 1e-12;
 }
 

@@ -17,6 +17,7 @@ using SpacePoint = std::array<double, 3>;
 struct SpaceView {
   std::array<double, 3> lower = {0, 0, 0};
   std::array<double, 3> upper = {1, 1, 1};
+  double turned = -35;  ///< degrees about the upright axis; at 0 the first axis runs straight to the right
 
   /// Where a point stands on paper; the axes of the cube have about unit length there.
   RationalPoint seen(const SpacePoint& point) const;
