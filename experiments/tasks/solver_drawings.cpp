@@ -216,6 +216,12 @@ Json curves_panel(const std::string& title, const Problem& problem, const std::v
     for (const Polyline& line : trace_curve(system[k].to_expression(graph), box, kTraceResolution))
       shapes.push_back(shape("polyline", k == 0 ? "first" : "second", points_json(rational_points(line))));
   }
+  if (reduced) {
+    const RationalPoint middle = {Rational(midpoint((*reduced)[0])), Rational(midpoint((*reduced)[1]))};
+    const bool is_dot =
+        width((*reduced)[0]) < width(box[0]) / 100 && width((*reduced)[1]) < width(box[1]) / 100;
+    if (is_dot) shapes.push_back(shape("points", "curve", points_json({middle})));
+  }
   return {{"title", title},
           {"aspect", "equal"},
           {"x", {box[0].lower, box[0].upper}},

@@ -52,7 +52,8 @@ plot \
   data index 2 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#CFE3F1', \
   data index 2 using 1:2 with lines lw 0.5 dt 1 lc rgb '#0072B2', \
   data index 3 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
-  data index 4 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00'
+  data index 4 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 5 using 1:2 with points pt 7 ps 0.4 lc rgb '#000000'
 unset label; unset arrow
 
 # nonlinear, f
@@ -69,8 +70,8 @@ set yrange [0.5:1.5]
 set ytics ('0.5' 0.5, '1.0' 1, '1.5' 1.5)
 set border 3; set tics scale 0.4,0.2
 plot \
-  data index 5 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
-  data index 6 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00'
+  data index 6 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
+  data index 7 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00'
 unset label; unset arrow
 
 # nonlinear, M f
@@ -87,10 +88,10 @@ set yrange [0.5:1.5]
 set ytics ('0.5' 0.5, '1.0' 1, '1.5' 1.5)
 set border 3; set tics scale 0.4,0.2
 plot \
-  data index 7 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#CFE3F1', \
-  data index 7 using 1:2 with lines lw 0.5 dt 1 lc rgb '#0072B2', \
-  data index 8 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
-  data index 9 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00'
+  data index 8 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#CFE3F1', \
+  data index 8 using 1:2 with lines lw 0.5 dt 1 lc rgb '#0072B2', \
+  data index 9 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
+  data index 10 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00'
 unset label; unset arrow
 unset multiplot
 unset output

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "base/random.h"
 #include "support/fuzz.h"
 
 namespace gcslab {
