@@ -1,7 +1,7 @@
 #include "box_solver/monomial_polytope.h"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 
 #include "base/check.h"
 
@@ -51,7 +51,13 @@ class Unscaling {
   std::vector<Polynomial> scaled_;
 };
 
-std::vector<Exponents> exponents_of(const std::vector<ScaledMonomial>& columns, std::size_t variables) {
+/// The monomials that have a column in the model: the first ones of the plan.
+std::span<const ScaledMonomial> columns_of(const BernsteinPolytope& polytope,
+                                           const Expansion<FastInterval>& expansion) {
+  return std::span(expansion.plan().columns()).first(static_cast<std::size_t>(polytope.model().columns()));
+}
+
+std::vector<Exponents> exponents_of(std::span<const ScaledMonomial> columns, std::size_t variables) {
   std::vector<Exponents> result;
   for (const ScaledMonomial& column : columns) {
     result.emplace_back(variables, 0);
@@ -70,7 +76,7 @@ class HalfSpaces {
   HalfSpaces(const BernsteinPolytope& polytope, const Expansion<FastInterval>& expansion,
              const MonomialPolytope& target, PolytopeParts parts)
       : polytope_(polytope),
-        columns_(expansion.plan().columns()),
+        columns_(columns_of(polytope, expansion)),
         unscaling_(expansion, target.monomials),
         parts_(parts) {}
 
@@ -110,7 +116,7 @@ class HalfSpaces {
   }
 
   const BernsteinPolytope& polytope_;
-  const std::vector<ScaledMonomial>& columns_;
+  std::span<const ScaledMonomial> columns_;
   Unscaling unscaling_;
   PolytopeParts parts_;
   std::vector<HalfSpace> result_;
@@ -121,7 +127,7 @@ class HalfSpaces {
 MonomialPolytope monomial_polytope(const BernsteinPolytope& polytope,
                                    const Expansion<FastInterval>& expansion, PolytopeParts parts) {
   MonomialPolytope result;
-  result.monomials = exponents_of(expansion.plan().columns(), expansion.midpoints().size());
+  result.monomials = exponents_of(columns_of(polytope, expansion), expansion.midpoints().size());
   result.half_spaces = HalfSpaces(polytope, expansion, result, parts).run();
   return result;
 }
