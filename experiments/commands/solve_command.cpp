@@ -14,6 +14,8 @@
 #include "experiments/corpus/corpus.h"
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/provenance.h"
+#include "experiments/reporting/box_picture.h"
+#include "experiments/reporting/cover_picture.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/solve_run.h"
 #include "experiments/tasks/memory_use.h"
@@ -36,6 +38,8 @@ struct Settings {
   std::string proof;
   std::string pending;
   std::string resume;
+  std::string figure;
+  std::string figure_variables;
 };
 
 Json method_json(const Settings& settings, const Options& options) {
@@ -128,6 +132,29 @@ void check_outputs(const Settings& settings) {
   }
 }
 
+/// The boxes of the search, when somebody wants to see them.
+class Picture {
+ public:
+  Picture(const Settings& settings, const Problem& problem) : file_(settings.figure) {
+    if (file_.empty() && !settings.figure_variables.empty())
+      throw InputError("--figure-variables says what --figure shows; give that too");
+    if (file_.empty()) return;
+    check_picture_file(file_);
+    variables_ = pictured_variables(problem, settings.figure_variables);
+  }
+  SearchRecord* record() { return file_.empty() ? nullptr : &record_; }
+  void write(const Problem& problem, const SearchResult& result, const std::string& method) const {
+    if (file_.empty()) return;
+    write_box_picture(problem, search_picture(problem.system.box, record_, result), variables_, method,
+                      file_);
+  }
+
+ private:
+  std::string file_;
+  std::array<std::size_t, 2> variables_{};
+  SearchRecord record_{kDrawnBoxes};
+};
+
 int run(const Settings& settings) {
   Problem problem = load_system(settings.problem);
   if (!settings.box.empty())
@@ -137,6 +164,8 @@ int run(const Settings& settings) {
                       Options(method.options(), option_texts(settings.options), settings.method)};
   solve.threads = settings.threads;
   check_outputs(settings);
+  Picture picture(settings, problem);
+  solve.record = picture.record();
   const std::string hash = problem_content_hash(Corpus::standard().problem_path(settings.problem));
   const SystemFunctions functions(problem.system);
   std::optional<SearchStart> start;
@@ -158,6 +187,7 @@ int run(const Settings& settings) {
     if (!settings.json.empty()) write_file_atomically(settings.json, result.dump(1) + "\n");
     print_summary(settings, functions, result);
   }
+  picture.write(problem, outcome.search, settings.method);
   return exit_code_of(outcome.status);
 }
 
@@ -197,6 +227,10 @@ void add_solve_command(CLI::App& app, int& exit_code) {
   command->add_option("--pending", settings->pending,
                       "write what is left when the budget ends, for --resume");
   command->add_option("--resume", settings->resume, "go on from a file that --pending wrote");
+  command->add_option("--figure", settings->figure,
+                      "draw all boxes of a search in two or three unknowns: FILE.svg or FILE.pdf");
+  command->add_option("--figure-variables", settings->figure_variables,
+                      "the two unknowns that the figure shows, such as x,z; by default the first two");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

@@ -60,9 +60,14 @@ std::vector<std::vector<Rational>> read_points(const YamlNode& known, std::strin
 KnownFacts read_known(const YamlNode& problem, std::size_t variables) {
   const auto known = problem.find("known");
   if (!known) return {};
-  known->allow_keys({"points", "singular", "real_solutions", "how"});
-  KnownFacts facts{read_points(*known, "points", variables), read_points(*known, "singular", variables),
-                   std::nullopt, required_text(*known, "how")};
+  known->allow_keys({"points", "singular", "real_solutions", "published", "how"});
+  KnownFacts facts;
+  facts.points = read_points(*known, "points", variables);
+  facts.singular = read_points(*known, "singular", variables);
+  facts.how = required_text(*known, "how");
+  if (const auto published = known->find("published")) {
+    for (const auto& [name, value] : published->entries()) facts.published[name] = value.text();
+  }
   if (const auto count = known->find("real_solutions")) facts.real_solutions = count->integer();
   return facts;
 }
@@ -127,13 +132,15 @@ std::string problem_content_hash(const std::filesystem::path& path) {
   const std::string kind = kind_of_file(path);
   const bool has_equations = std::ranges::find(function_kinds(), kind) != function_kinds().end();
   if (!has_equations || kind == "polynomial_family") return content_hash(read_file(path));
-  const EquationSystem system = load_problem(path).system;
+  const Problem problem = load_problem(path);
+  const EquationSystem& system = problem.system;
   std::string text = kind;
   for (const std::string& variable : system.variables) text += "\n" + variable;
   for (const Expression& equation : system.equations) text += "\n0 = " + to_text(equation, system.variables);
   for (const Expression& inequality : system.inequalities)
     text += "\n0 >= " + to_text(inequality, system.variables);
   for (const Interval& side : system.box) text += fmt::format("\n[{:a}, {:a}]", side.lower, side.upper);
+  for (const auto& [name, value] : problem.known.published) text += "\n" + name + " = " + value;
   return content_hash(text);
 }
 

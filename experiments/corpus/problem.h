@@ -18,9 +18,10 @@ namespace gcslab {
 
 /// What is known of the set of solutions, by means other than this program's solvers.
 struct KnownFacts {
-  std::vector<std::vector<Rational>> points;    ///< rational points of the set, exact
-  std::vector<std::vector<Rational>> singular;  ///< rational points where the gradients are dependent
-  std::optional<std::int64_t> real_solutions;   ///< how many, in the box
+  std::vector<std::vector<Rational>> points;       ///< rational points of the set, exact
+  std::vector<std::vector<Rational>> singular;     ///< rational points where the gradients are dependent
+  std::optional<std::int64_t> real_solutions;      ///< how many, in the box
+  std::map<std::string, std::string> published{};  ///< what the source prints, by the name of the value
   std::string how;
 };
 

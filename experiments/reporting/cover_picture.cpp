@@ -20,17 +20,20 @@ namespace {
 constexpr int kTraceResolution = 500;
 constexpr double kPanelWidth = 76;
 
-bool is_plane_curve(const Problem& problem) {
-  return problem.kind == "curve" && problem.system.equations.size() == 1 &&
-         std::ranges::all_of(problem.system.box, [](const Interval& side) { return is_bounded(side); });
+bool has_curves(const Problem& problem) {
+  return problem.system.variables.size() == 2 && std::ranges::all_of(problem.system.box, is_bounded);
 }
 
 }  // namespace
 
-void check_cover_picture(const Problem& problem, const std::filesystem::path& file) {
+void check_picture_file(const std::filesystem::path& file) {
   if (file.extension() != ".svg" && file.extension() != ".pdf") {
     throw InputError("--figure " + file.string() + ": the name must end in .svg or .pdf");
   }
+  check_writable(file);
+}
+
+void check_cover_picture(const Problem& problem, const std::filesystem::path& file) {
   if (problem.system.variables.size() != 2) {
     throw InputError("--figure: covers are drawn of plane curves only, and this problem has " +
                      std::to_string(problem.system.variables.size()) + " variables");
@@ -39,7 +42,7 @@ void check_cover_picture(const Problem& problem, const std::filesystem::path& fi
     if (!(side.lower < side.upper))
       throw InputError("--figure: the box is flat; a picture needs two sides of positive width");
   }
-  check_writable(file);
+  check_picture_file(file);
 }
 
 void write_cover_picture(const Problem& problem, const CoverTree& tree, const std::string& method,
@@ -54,23 +57,30 @@ void write_cover_picture(const Problem& problem, const CoverTree& tree, const st
   const std::string counts = "kept " + format_count(static_cast<double>(tree.kept_cells())) + " of " +
                              format_count(static_cast<double>(tree.visited_cells())) + " visited";
   figure.text(panel.centre(), 2.2, counts, {"center", kSmallText, palette::kQuietText});
-  draw_cover(figure, panel, tree, traced_curve(problem), CoverStyle{}, title);
+  const ProblemCurves curves = traced_curves(problem);
+  draw_cover(figure, panel, tree, first_curve(curves), CoverStyle{}, title);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   write_figure(figure, "Cover of " + title, folder, file.stem().string(),
                {file.extension().string().substr(1)});
 }
 
-std::vector<Polyline> traced_curve(const Problem& problem) {
-  if (!is_plane_curve(problem)) return {};
-  return trace_curve(problem.system.equations.front(), problem.system.box, kTraceResolution);
+ProblemCurves traced_curves(const Problem& problem) {
+  ProblemCurves curves;
+  if (!has_curves(problem)) return curves;
+  const auto trace = [&](Expression function) {
+    return trace_curve(function, problem.system.box, kTraceResolution);
+  };
+  for (const Expression equation : problem.system.equations) curves.equations.push_back(trace(equation));
+  for (const Expression border : problem.system.inequalities) curves.inequalities.push_back(trace(border));
+  return curves;
 }
 
 CurveSource corpus_curves() {
-  auto known = std::make_shared<std::map<std::string, std::vector<Polyline>>>();
+  auto known = std::make_shared<std::map<std::string, ProblemCurves>>();
   return [known](const std::string& name) {
     const auto found = known->find(name);
     if (found != known->end()) return found->second;
-    return (*known)[name] = traced_curve(load_problem(Corpus::standard().problem_path(name)));
+    return (*known)[name] = traced_curves(load_problem(Corpus::standard().problem_path(name)));
   };
 }
 

@@ -20,8 +20,11 @@ void check_cover_picture(const Problem& problem, const std::filesystem::path& fi
 void write_cover_picture(const Problem& problem, const CoverTree& tree, const std::string& method,
                          const std::filesystem::path& file);
 
-/// The curve of a problem as polylines, traced on its box; empty for problems that are no plane curve.
-std::vector<Polyline> traced_curve(const Problem& problem);
+/// The curves of a problem, traced on its box.
+ProblemCurves traced_curves(const Problem& problem);
+
+/// Throws InputError unless the name of a picture's file ends in .svg or .pdf and it can be written.
+void check_picture_file(const std::filesystem::path& file);
 
 /// Traces curves of the corpus, each once.
 CurveSource corpus_curves();

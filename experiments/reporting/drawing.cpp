@@ -39,7 +39,15 @@ const std::map<std::string, ShapeStyle>& shape_styles() {
       {"cell", {palette::kFrame, "#EFEFEF", 0.4, 1, 7}},
       {"axis", {palette::kFrame, "", 0.4, 1, 7}},
       {"accent", {palette::kVermillion, "#F7DCC8", 1.2, 1, 7}},
-      {"muted", {"#A0A0A0", "#F4F4F4", 0.5, 1, 7}}};
+      {"muted", {"#A0A0A0", "#F4F4F4", 0.5, 1, 7}},
+      {"first", {palette::kBlue, "", 1.2, 1, 7}},
+      {"second", {palette::kVermillion, "", 1.2, 1, 7}},
+      {"line", {palette::kVermillion, "", 0.6, 1, 7}},
+      {"dashed", {"#808080", "", 0.5, 2, 7}},
+      {"body", {palette::kBlue, "#E8F1F8", 0.1, 1, 7}},
+      {"edge", {palette::kBlue, "", 0.9, 1, 7}},
+      {"hidden", {palette::kBlue, "", 0.5, 2, 7}},
+      {"mesh", {"#707070", "", 0.25, 1, 7}}};
   return styles;
 }
 

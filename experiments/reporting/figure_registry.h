@@ -7,6 +7,7 @@
 namespace gcslab {
 
 FigureKind cover_panels_kind();
+FigureKind boxes_kind();
 FigureKind range_bars_kind();
 FigureKind series_kind();
 FigureKind drawing_kind();

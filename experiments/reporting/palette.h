@@ -27,5 +27,12 @@ inline constexpr std::string_view kBand = "#E4E4E4";
 /// Of covers.
 inline constexpr std::string_view kKept = "#E69F00";
 inline constexpr std::string_view kVisited = "#C4C4C4";
+/// Of searches.
+inline constexpr std::string_view kRemovedPart = "#E3EFF8";
+inline constexpr std::string_view kReducedBorder = "#7FB3D9";
+inline constexpr std::string_view kEmptyBox = "#D2D2D2";
+inline constexpr std::string_view kRootBox = "#A9DCC6";
+inline constexpr std::string_view kUndecidedBox = "#F3CE80";
+inline constexpr std::string_view kPendingBox = "#FBF6C8";
 
 }  // namespace gcslab::palette

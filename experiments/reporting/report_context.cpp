@@ -70,6 +70,10 @@ std::vector<std::string> notes_on_references(const ReportContext& context, const
   return notes;
 }
 
+std::vector<Polyline> first_curve(const ProblemCurves& curves) {
+  return curves.equations.empty() ? std::vector<Polyline>{} : curves.equations.front();
+}
+
 Json first_provenance(const RowTable& rows) {
   for (const Row& row : rows.rows()) {
     if (row.was_run() && row.provenance.is_object()) return row.provenance;

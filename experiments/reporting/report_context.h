@@ -20,8 +20,16 @@ struct ReportItem;
 using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
 
-/// The true curve of a problem as polylines; empty when it has none that can be drawn.
-using CurveSource = std::function<std::vector<Polyline>(const std::string& problem)>;
+/// The zero sets of a problem's functions as polylines, one list a function; none where the problem has not
+/// two variables or no bounded box.
+struct ProblemCurves {
+  std::vector<std::vector<Polyline>> equations;
+  std::vector<std::vector<Polyline>> inequalities;  ///< where they hold with equality
+};
+/// The curve of a problem with one equation.
+std::vector<Polyline> first_curve(const ProblemCurves& curves);
+
+using CurveSource = std::function<ProblemCurves(const std::string& problem)>;
 
 struct ReportContext {
   std::string experiment;

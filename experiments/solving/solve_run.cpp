@@ -17,6 +17,7 @@ SolveOutcome solve_system(const SystemFunctions& functions, const SolveSettings&
   SearchOptions options = search_options(settings.options);
   options.threads = settings.threads;
   options.proof = settings.proof;
+  options.record = settings.record;
   const Box& box = functions.system().box;
   SolveOutcome outcome;
   outcome.search = search(functions, box, start ? *start : SearchStart{{box}},

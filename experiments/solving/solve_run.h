@@ -17,6 +17,7 @@ struct SolveSettings {
   Options options;
   int threads = 1;
   ProofLog* proof = nullptr;
+  SearchRecord* record = nullptr;
 };
 
 struct SolveOutcome {

@@ -1,13 +1,32 @@
 #include "experiments/tasks/solve_task.h"
 
+#include <algorithm>
+
 #include "box_solver/solver_method.h"
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/solving/result_json.h"
+#include "experiments/solving/search_picture_json.h"
 #include "experiments/solving/solve_run.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/stopwatch.h"
 
 namespace gcslab {
+
+namespace {
+
+bool can_be_drawn(const Box& box) {
+  return (box.size() == 2 || box.size() == 3) && std::ranges::all_of(box, is_bounded);
+}
+
+void tell_recorded(const SearchRecord& record, JobResult& result) {
+  if (!record.is_whole()) return;
+  int reductions = 0;
+  for (const RecordedBox& box : record.boxes()) reductions += box.reductions;
+  result.values["reductions"] = reductions;
+  result.values["empty_boxes"] = std::ranges::count(record.boxes(), BoxFate::empty, &RecordedBox::fate);
+}
+
+}  // namespace
 
 std::string SolveTask::summary() const { return "every real solution of a system in its box, with proof"; }
 
@@ -22,7 +41,11 @@ std::vector<MethodInfo> SolveTask::methods() const {
 
 std::vector<OptionSpec> SolveTask::parameters() const {
   return {
-      integer_option("threads", "threads of the search; the answer does not depend on them", "", 1, 1, 256)};
+      integer_option("threads", "threads of the search; the answer does not depend on them", "", 1, 1, 256),
+      integer_option("recorded_boxes",
+                     "boxes of a search in two or three unknowns that are kept for figures, in the order "
+                     "taken; 0: none, and no time spent on it",
+                     "boxes", 0, 0, 100'000)};
 }
 
 std::vector<ValueInfo> SolveTask::values() const {
@@ -30,7 +53,9 @@ std::vector<ValueInfo> SolveTask::values() const {
           {"known_solutions", "solutions in the box that are known by other means", "solutions"},
           {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
           {"boxes", "boxes taken from the list", "boxes"},
-          {"bisections", "boxes cut in two", "boxes"}};
+          {"bisections", "boxes cut in two", "boxes"},
+          {"reductions", "rounds of contraction that narrowed a box or emptied it, where all were recorded"},
+          {"empty_boxes", "boxes proved to have no root, where all were recorded", "boxes"}};
 }
 
 std::vector<std::string> SolveTask::problem_kinds() const { return system_kinds(); }
@@ -43,6 +68,10 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   const SystemFunctions functions(problem.system);
   SolveSettings settings{job.method, job.options};
   settings.threads = static_cast<int>(job.parameters.integer("threads"));
+  SearchRecord record(static_cast<std::size_t>(job.parameters.integer("recorded_boxes")));
+  const bool is_recorded =
+      job.parameters.integer("recorded_boxes") > 0 && can_be_drawn(functions.system().box);
+  if (is_recorded) settings.record = &record;
   JobResult result;
   result.timings["prepare_s"] = preparation.wall_s();
   const Stopwatch watch;
@@ -57,6 +86,10 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   if (found.status == Status::budget_exhausted) return result;  // the counts would depend on the machine
   result.values["boxes"] = found.search.statistics.boxes;
   result.values["bisections"] = found.search.statistics.bisections;
+  if (is_recorded) {
+    tell_recorded(record, result);
+    result.artifact = to_json(search_picture(functions.system().box, record, found.search));
+  }
   return result;
 }
 

@@ -61,7 +61,7 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
 NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<ExclusionBox>& exclusions,
                                    const Experience& so_far) {
   NodeOutcome outcome;
-  outcome.trace = ProofTrace(options_->proof != nullptr);
+  outcome.trace = ProofTrace(options_->proof != nullptr || options_->record != nullptr);
   outcome.box = node.box;
   if (is_excluded(outcome, exclusions)) return outcome;
   contractor_->learn(so_far, node.id);

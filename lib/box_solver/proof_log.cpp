@@ -9,34 +9,6 @@
 namespace gcslab {
 namespace {
 
-std::string_view word_of(Argument argument) {
-  switch (argument) {
-    case Argument::hull_of_equation:
-      return "hull_equation";
-    case Argument::hull_of_inequality:
-      return "hull_inequality";
-    case Argument::expansion:
-      return "expansion";
-    case Argument::expansion_row:
-      return "expansion_row";
-    case Argument::square_row:
-      return "square_row";
-    case Argument::polytope:
-      return "polytope";
-    case Argument::mean_value_row:
-      return "mean_value_row";
-    case Argument::bernstein_row:
-      return "bernstein_row";
-    case Argument::cases:
-      return "cases";
-    case Argument::otherwise:
-      return "otherwise";
-    case Argument::join:
-      break;
-  }
-  return "join";
-}
-
 /// " " and the number in hexadecimal digits, exactly.
 void append_number(std::string& line, double value) {
   std::array<char, 64> text{};
@@ -81,6 +53,34 @@ void append_box(std::string& line, const Box& box) {
 
 }  // namespace
 
+std::string_view name_of(Argument argument) {
+  switch (argument) {
+    case Argument::hull_of_equation:
+      return "hull_equation";
+    case Argument::hull_of_inequality:
+      return "hull_inequality";
+    case Argument::expansion:
+      return "expansion";
+    case Argument::expansion_row:
+      return "expansion_row";
+    case Argument::square_row:
+      return "square_row";
+    case Argument::polytope:
+      return "polytope";
+    case Argument::mean_value_row:
+      return "mean_value_row";
+    case Argument::bernstein_row:
+      return "bernstein_row";
+    case Argument::cases:
+      return "cases";
+    case Argument::otherwise:
+      return "otherwise";
+    case Argument::join:
+      break;
+  }
+  return "join";
+}
+
 void ProofLog::write(std::string_view line) {
   *out_ << line << '\n';
   hasher_.add(line);
@@ -111,7 +111,7 @@ void ProofLog::root(std::size_t number, const CertifiedRoot& root) {
 }
 
 void ProofLog::step(const ProofStep& step) {
-  line_ = word_of(step.argument);
+  line_ = name_of(step.argument);
   switch (step.argument) {
     case Argument::expansion:
     case Argument::otherwise:

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "interval/interval.h"
@@ -28,6 +29,9 @@ enum class Argument : std::uint8_t {
   otherwise,  ///< those up to `join` are about the part where it is at least that
   join,       ///< the box is the hull of what is left of both parts; with nothing left it has no root
 };
+
+/// The word that proof logs use.
+std::string_view name_of(Argument argument);
 
 /// A product of bound factors of z in [-1, 1]^n with its multiplier, which is not negative: (1 + s z^first)
 /// (1 + t z^second), each monomial as its variables with repetition; t = 0: (z^first + s z^second)^2.

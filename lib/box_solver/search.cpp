@@ -109,7 +109,12 @@ class Search {
     }
     ++result_.statistics.boxes;
     experience_ += outcome.experience;
+    const std::size_t known_roots = roots_.size();
     const bool is_settled = !outcome.found || take_root(outcome);
+    if (options_.record != nullptr) {
+      const BoxFate fate = fate_of(outcome, is_settled, roots_.size() > known_roots);
+      options_.record->add(node.box, outcome.trace, outcome.box, fate);
+    }
     if (options_.proof != nullptr) options_.proof->node(node.id, outcome.trace);
     if (outcome.kind == NodeOutcome::Kind::cut) {
       cut(outcome, node.share / 2);
@@ -136,6 +141,22 @@ class Search {
     }
   }
 
+  static BoxFate fate_of(const NodeOutcome& outcome, bool is_settled, bool is_new_root) {
+    switch (outcome.kind) {
+      case NodeOutcome::Kind::empty:
+        return BoxFate::empty;
+      case NodeOutcome::Kind::covered:
+        return !is_settled ? BoxFate::undecided : is_new_root ? BoxFate::root : BoxFate::covered;
+      case NodeOutcome::Kind::cut:
+        return BoxFate::cut;
+      case NodeOutcome::Kind::undecided:
+        return BoxFate::undecided;
+      case NodeOutcome::Kind::skipped:
+        break;
+    }
+    return BoxFate::pending;
+  }
+
   void keep_undecided(NodeOutcome& outcome, std::string reason) {
     if (options_.proof != nullptr) options_.proof->end_undecided();
     result_.undecided.push_back({std::move(outcome.box), std::move(reason)});
@@ -146,6 +167,7 @@ class Search {
       options_.proof->node(node.id, ProofTrace());
       options_.proof->end_pending();
     }
+    if (options_.record != nullptr) options_.record->add(node.box, ProofTrace(), node.box, BoxFate::pending);
     result_.pending.push_back(std::move(node.box));
   }
 

@@ -17,6 +17,7 @@
 #include "box_solver/bisection.h"
 #include "box_solver/contractor.h"
 #include "box_solver/proof_log.h"
+#include "box_solver/search_record.h"
 #include "certification/root_certificate.h"
 
 namespace gcslab {
@@ -33,7 +34,8 @@ struct SearchOptions {
   std::uint64_t maximum_boxes = ~std::uint64_t{0};
   std::size_t maximum_open = 2'000'000;  ///< boxes held in memory
   int threads = 1;
-  ProofLog* proof = nullptr;  ///< told everything that the search does
+  ProofLog* proof = nullptr;       ///< told everything that the search does
+  SearchRecord* record = nullptr;  ///< told every box with its fate
 };
 
 /// What is known of the inequalities at a root.

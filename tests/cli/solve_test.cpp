@@ -248,5 +248,54 @@ TEST_F(Solve, ReadsWhatExportWrites) {
   EXPECT_EQ(shell("$gcslab export t.yaml --to phc").exit_code, 4);
 }
 
+TEST_F(Solve, DrawsAllBoxesOfASearch) {
+  problem("p.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-2, 2], y: [-2, 2]");
+  const Answer drawn = shell("$gcslab solve p.yaml --method interval_newton --figure p.svg");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(has(text_of(folder_ / "p.svg"), "</svg>"));
+  EXPECT_TRUE(has(text_of(folder_ / "p.svg"), " boxes, ")) << "the counts";
+  EXPECT_TRUE(has(text_of(folder_ / "p.dat"), "boxes taken")) << "the data beside it";
+  EXPECT_TRUE(has(text_of(folder_ / "p.dat"), "equation 2"));
+  problem("q.yaml", "x, y, z", "\"x^2 + y^2 + z^2 = 1\", \"x = y\", \"y = z\"",
+          "x: [-2, 2], y: [-2, 2], z: [-2, 3]");
+  EXPECT_EQ(shell("$gcslab solve q.yaml --figure q.pdf --figure-variables z,x").exit_code, 0);
+  EXPECT_TRUE(has(text_of(folder_ / "q.pdf"), "%%EOF"));
+}
+
+TEST_F(Solve, SaysWhatItCannotDraw) {
+  problem("p.yaml", "x", "\"x^2 - 2\"", "x: [0, 2]");
+  problem("q.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-inf, inf], y: [-2, 2]");
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"p.yaml --figure p.svg", "two or three unknowns"},
+      {"q.yaml --figure q.svg", "--box"},
+      {"q.yaml --figure q.png", ".svg or .pdf"},
+      {"q.yaml --figure q.svg --figure-variables x,z", "'z'"},
+      {"q.yaml --figure-variables x,y", "--figure"}};
+  for (const auto& [arguments, words] : cases) {
+    const Answer answer = shell("$gcslab solve " + arguments);
+    EXPECT_EQ(answer.exit_code, 2) << arguments;
+    EXPECT_TRUE(has(answer.err, words)) << answer.err;
+    EXPECT_EQ(lines(answer.err), 1u) << answer.err;
+  }
+}
+
+TEST_F(Solve, ReportsTheBoxesOfAnExperiment) {
+  problem("p.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-2, 2], y: [-2, 2]");
+  write(
+      "boxes.yaml",
+      "experiment: boxes\ntask: solve\nproblems: [p.yaml]\nmethods: [{name: lp_reduction}, {name: "
+      "interval_newton}]\nparameters: {recorded_boxes: 100}\nreport:\n  - figure: {file: boxes, kind: boxes, "
+      "rows: "
+      "method, columns: problem}\n  - table: {file: counts, rows: problem, columns: method, values: [boxes, "
+      "reductions]}\n");
+  const Answer run = shell("$gcslab validate boxes.yaml && $gcslab run boxes.yaml --out runs");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Answer report =
+      shell("$gcslab report boxes.yaml --runs runs --out reports --reference none --format svg,md");
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_TRUE(has(text_of(folder_ / "reports/boxes/boxes.svg"), "reductions, 2 roots"));
+  EXPECT_TRUE(has(text_of(folder_ / "reports/boxes/counts.md"), "reductions"));
+}
+
 }  // namespace
 }  // namespace gcslab

@@ -8,6 +8,7 @@
 #include "experiments/reporting/cover_drawing.h"
 #include "experiments/reporting/gnuplot.h"
 #include "experiments/reporting/picture_file.h"
+#include "experiments/solving/search_picture_json.h"
 #include "unit/reporting/sample_rows.h"
 
 namespace gcslab {
@@ -43,13 +44,96 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST(Figure, CoverPanelsDrawEveryRow) {
   const Row late = with_outcome(cover_row("slow"), "budget_exhausted", "wall limit of 60 s");
   ReportContext context = sample_context({cover_row("natural"), late});
-  context.curve = [](const std::string&) { return std::vector<Polyline>{{{0, 0}, {1, 1}}}; };
+  context.curve = [](const std::string&) { return ProblemCurves{{{{{0, 0}, {1, 1}}}}, {}}; };
   const FigureScript figure = draw_figure(figure_item("covers", "cover_panels"), context);
   EXPECT_TRUE(has(figure.commands(), "'kept 4 of 13 visited'")) << figure.commands();
   EXPECT_TRUE(has(figure.commands(), "timeout: wall"));
   EXPECT_TRUE(has(figure.data(), "curves/diagonal, natural, depth 2, seed 1, kept cells"));
   EXPECT_EQ(figure.notes.at(1),
             "Not drawn: curves/diagonal, slow, depth 2, seed 1 (timeout: wall limit of 60 s).");
+}
+
+RecordedBox recorded(BoxFate fate, std::vector<Box> stages, int reductions) {
+  RecordedBox box;
+  box.fate = fate;
+  box.stages = std::move(stages);
+  box.reductions = reductions;
+  return box;
+}
+
+/// The unit square is reduced, cut at x = 1/2, and the halves are a root's box and an empty one.
+SearchPicture sample_search() {
+  return {{{0, 1}, {0, 1}},
+          {recorded(BoxFate::cut, {{{0, 1}, {0, 1}}, {{0, 1}, {0, 0.75}}}, 1),
+           recorded(BoxFate::root, {{{0, 0.5}, {0, 0.75}}, {{0.25, 0.25}, {0.5, 0.5}}}, 1),
+           recorded(BoxFate::empty, {{{0.5, 1}, {0, 0.75}}}, 1)},
+          3,
+          {{0.25, 0.5}}};
+}
+
+Row search_row(const SearchPicture& picture) {
+  Row row = sample_row("conics/two", "LP reduction", 0, 0.1, "2");
+  row.artifact = to_json(picture);
+  return row;
+}
+
+TEST(Figure, BoxesTellTheFateOfEveryPart) {
+  const SearchPicture picture = sample_search();
+  ReportContext context = sample_context({search_row(picture)});
+  context.curve = [](const std::string&) {
+    return ProblemCurves{{{{{0, 0}, {1, 1}}}}, {{{{0, 1}, {1, 0}}}}};
+  };
+  const FigureScript figure = draw_figure(figure_item("boxes", "boxes"), context);
+  EXPECT_TRUE(has(figure.commands(), "'3 boxes, 3 reductions, 1 root'")) << figure.commands();
+  for (const char* layer : {"cut off by reductions", "empty boxes", "boxes taken", "reduced boxes",
+                            "equation 1", "border of inequality 1", "roots"})
+    EXPECT_TRUE(has(figure.data(), std::string("LP reduction, depth 2, seed 1, ") + layer)) << layer;
+  EXPECT_TRUE(has(figure.data(), "empty boxes\n0.5 0\n1 0\n1 0.75\n0.5 0.75\n0.5 0\n")) << figure.data();
+  EXPECT_FALSE(has(figure.data(), "root boxes")) << "a point is no area";
+  const TemporaryFolder folder;
+  write_figure(figure, "boxes", folder.path(), "boxes", {"svg"});
+  EXPECT_TRUE(has(file_text(folder, "boxes.svg"), "</svg>"));
+}
+
+TEST(Figure, BoxesSayWhatTheyNeedAndWhatTheyLeaveOut) {
+  const ReportItem item = figure_item("boxes", "boxes");
+  try {
+    draw_figure(item, sample_context({sample_row("p", "m", 1, 1)}));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(has(error.what(), "recorded_boxes")) << error.what();
+  }
+  SearchPicture space = sample_search();
+  space.domain.emplace_back(0, 1);
+  for (RecordedBox& box : space.boxes) {
+    for (Box& stage : box.stages) stage.emplace_back(0, 1);
+  }
+  space.roots = {{0.25, 0.5, 0.75}};
+  space.told = 9;
+  ReportItem turned = item;
+  set_option(turned, "upwards", "2");
+  const FigureScript figure = draw_figure(turned, sample_context({search_row(space)}));
+  EXPECT_TRUE(has(figure.data(), "roots\n0.25 0.75\n")) << figure.data();
+  EXPECT_FALSE(has(figure.data(), "empty boxes")) << "boxes that are seen through each other are not filled";
+  EXPECT_TRUE(has(figure.commands(), "'9 boxes, 1 root'"));
+  EXPECT_EQ(figure.notes.back(), "Of long searches only the first boxes are drawn.");
+  set_option(turned, "across", "2");
+  EXPECT_THROW(draw_figure(turned, sample_context({search_row(space)})), InputError);
+}
+
+TEST(SearchPicture, IsReadBack) {
+  const SearchPicture picture = sample_search();
+  const SearchPicture again = search_picture_from_json(Json::parse(to_json(picture).dump()));
+  EXPECT_EQ(again.domain, picture.domain);
+  EXPECT_EQ(again.roots, picture.roots);
+  EXPECT_EQ(again.told, picture.told);
+  ASSERT_EQ(again.boxes.size(), picture.boxes.size());
+  for (std::size_t i = 0; i < again.boxes.size(); ++i) {
+    EXPECT_EQ(again.boxes[i].fate, picture.boxes[i].fate);
+    EXPECT_EQ(again.boxes[i].stages, picture.boxes[i].stages);
+    EXPECT_EQ(again.boxes[i].reductions, picture.boxes[i].reductions);
+  }
+  EXPECT_THROW(search_picture_from_json(Json::parse("{\"panels\": []}")), InputError);
 }
 
 TEST(Figure, PicturesAreTheSameEveryTime) {
