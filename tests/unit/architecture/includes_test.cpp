@@ -23,6 +23,7 @@ const Table& allowed() {
       {"interval", {"base"}},
       {"expression", {"interval"}},
       {"polynomial", {"expression"}},
+      {"univariate", {"polynomial"}},
       {"linear_program", {"interval"}},
       {"verifier", {"expression"}},
       {"enclosure", {"polynomial"}},
