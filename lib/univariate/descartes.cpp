@@ -60,26 +60,26 @@ SignVariations exact_variations(const std::vector<Rational>& numbers) {
 
 class Isolation {
  public:
-  Isolation(const IntegerPolynomial& polynomial, IsolationCounts& counts)
-      : polynomial_(polynomial.to_polynomial()), counts_(&counts) {}
+  explicit Isolation(const IntegerPolynomial& polynomial) : polynomial_(polynomial.to_polynomial()) {}
 
-  std::vector<RationalInterval> run(const RationalInterval& where) {
+  RootIsolation run(const RationalInterval& where, const std::stop_token& stop) {
     const NumberTraits<FastInterval>::Scope scope;
     if (where.lower < where.upper) open_.push_back({where.lower, where.upper, unknown_coefficients(), false});
-    while (!open_.empty()) {
+    while (!open_.empty() && !stop.stop_requested()) {
       Node node = std::move(open_.back());
       open_.pop_back();
       search(std::move(node));
     }
-    if (polynomial_.evaluate({&where.upper, 1}) == 0) add_point(where.upper);
+    for (const Node& node : open_) found_.unsearched.push_back({node.lower, node.upper});
+    if (open_.empty() && polynomial_.evaluate({&where.upper, 1}) == 0) add_point(where.upper);
     return std::move(found_);
   }
 
  private:
-  void add_point(const Rational& point) { found_.push_back({point, point}); }
+  void add_point(const Rational& point) { found_.roots.push_back({point, point}); }
 
   void search(Node node) {
-    ++counts_->intervals;
+    ++found_.counts.intervals;
     const std::vector<FastInterval>& numbers = node.coefficients.coefficients();
     const SignVariations variations = sign_variations(numbers);
     node.lower_is_done = node.lower_is_done || numbers[0].lower() > 0 || numbers[0].upper() < 0;
@@ -92,13 +92,13 @@ class Isolation {
   bool settle(const Node& node, const SignVariations& variations) {
     if (variations.most == 0) return true;
     if (variations.least != 1 || variations.most != 1) return false;
-    found_.push_back({node.lower, node.upper});
+    found_.roots.push_back({node.lower, node.upper});
     return true;
   }
 
   /// Exact coefficients in place of those that halvings have blurred, and their variations.
   SignVariations convert(Node& node) {
-    ++counts_->exact_conversions;
+    ++found_.counts.exact_conversions;
     const Tensor<Rational> exact = exact_bernstein_coefficients(polynomial_, {{node.lower, node.upper}});
     if (!node.lower_is_done && exact.coefficients()[0] == 0) add_point(node.lower);
     node.lower_is_done = true;
@@ -108,7 +108,7 @@ class Isolation {
 
   /// The left half is searched first.
   void halve(Node node) {
-    ++counts_->halvings;
+    ++found_.counts.halvings;
     const Rational middle = (node.lower + node.upper) / 2;
     Node left{node.lower, middle, {}, node.lower_is_done};
     Node right{middle, node.upper, {}, false};
@@ -118,21 +118,19 @@ class Isolation {
   }
 
   Polynomial polynomial_;
-  IsolationCounts* counts_;
   std::vector<Node> open_;  ///< the last one is the leftmost
-  std::vector<RationalInterval> found_;
+  RootIsolation found_;
 };
 
-/// floor(a / b) rounded up instead; b > 0.
+/// a / b rounded up; b > 0.
 long ceiling(long a, long b) { return a > 0 ? (a + b - 1) / b : -(-a / b); }
 
 }  // namespace
 
-std::vector<RationalInterval> isolate_square_free(const IntegerPolynomial& polynomial,
-                                                  const RationalInterval& where, IsolationCounts* counts) {
+RootIsolation isolate_square_free(const IntegerPolynomial& polynomial, const RationalInterval& where,
+                                  const std::stop_token& stop) {
   GCSLAB_CHECK(!polynomial.is_zero() && where.lower <= where.upper);
-  IsolationCounts ignored;
-  return Isolation(polynomial, counts != nullptr ? *counts : ignored).run(where);
+  return Isolation(polynomial).run(where, stop);
 }
 
 Rational root_bound(const IntegerPolynomial& polynomial) {

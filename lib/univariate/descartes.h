@@ -10,7 +10,7 @@
 // double intervals; an interval where their signs do not tell V is converted exactly and goes on from there.
 
 #include <cstdint>
-#include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "polynomial/rational_box.h"
@@ -25,12 +25,17 @@ struct IsolationCounts {
   std::uint64_t exact_conversions = 0;  ///< of them where doubles could not tell
 };
 
-/// The distinct real roots of a square-free polynomial in the closed interval, from left to right. Each
-/// result is the root itself (lower = upper), or an open interval that contains exactly one root; those are
-/// disjoint, but may have a root as an end.
-std::vector<RationalInterval> isolate_square_free(const IntegerPolynomial& polynomial,
-                                                  const RationalInterval& where,
-                                                  IsolationCounts* counts = nullptr);
+struct RootIsolation {
+  /// From left to right: the root itself (lower = upper), or an open interval that contains exactly one root.
+  /// These are disjoint, but may have a root as an end.
+  std::vector<RationalInterval> roots;
+  std::vector<RationalInterval> unsearched;  ///< closed; empty unless it was stopped
+  IsolationCounts counts;
+};
+
+/// The distinct real roots of a square-free polynomial in the closed interval.
+RootIsolation isolate_square_free(const IntegerPolynomial& polynomial, const RationalInterval& where,
+                                  const std::stop_token& stop = {});
 
 /// An interval ]-bound, bound[ with bound a power of 2 that contains every complex root's modulus (Fujiwara
 /// 1916): 2 max |a_k / a_d|^(1 / (d - k)). The degree is 1 at least.

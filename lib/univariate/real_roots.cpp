@@ -23,21 +23,24 @@ Rational magnitude(const RealRoot& root) {
 
 }  // namespace
 
-RealRoots::RealRoots(const IntegerPolynomial& polynomial, const RealLinePart& where) {
+RealRoots::RealRoots(const IntegerPolynomial& polynomial, const RealLinePart& where,
+                     const std::stop_token& stop) {
   if (polynomial.is_zero()) throw NotApplicable("the polynomial is zero: every number is a root");
   if (where.lower && where.upper && *where.upper < *where.lower) throw NotApplicable("the interval is empty");
   factors_ = square_free_decomposition(polynomial);
   for (const SquareFreeFactor& factor : factors_) signs_.emplace_back(factor.polynomial);
-  if (!factors_.empty()) isolate(where);
+  if (!factors_.empty()) isolate(where, stop);
 }
 
 /// Roots of all factors together: their product is square-free too.
-void RealRoots::isolate(const RealLinePart& where) {
+void RealRoots::isolate(const RealLinePart& where, const std::stop_token& stop) {
   IntegerPolynomial product({1});
   for (const SquareFreeFactor& factor : factors_) product = product * factor.polynomial;
   const SignEvaluator signs(product);
-  for (const RationalInterval& interval : isolate_square_free(product, bounded(where, product), &counts_))
-    roots_.push_back(with_factor(interval, signs));
+  RootIsolation isolation = isolate_square_free(product, bounded(where, product), stop);
+  counts_ = isolation.counts;
+  unsearched_ = std::move(isolation.unsearched);
+  for (const RationalInterval& interval : isolation.roots) roots_.push_back(with_factor(interval, signs));
   separate();
 }
 
@@ -90,6 +93,12 @@ void RealRoots::refine_relative(std::size_t root, int bits) {
     return width;
   };
   while (!wanted.is_exact() && wanted.upper - wanted.lower > relative_width()) refine(root, relative_width());
+}
+
+void RealRoots::try_exact(std::size_t root, const Rational& number) {
+  RealRoot& wanted = roots_.at(root);
+  if (wanted.lower < number && number < wanted.upper && signs_[wanted.factor].sign(number) == 0)
+    wanted.lower = wanted.upper = number;
 }
 
 }  // namespace gcslab

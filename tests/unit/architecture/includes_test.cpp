@@ -29,7 +29,7 @@ const Table& allowed() {
       {"enclosure", {"polynomial"}},
       {"covering", {"enclosure"}},
       {"certification", {"enclosure"}},
-      {"box_solver", {"certification", "linear_program"}},
+      {"box_solver", {"certification", "linear_program", "univariate"}},
       {"experiments/corpus", {"covering"}},
       {"experiments/solving", {"experiments/corpus", "box_solver"}},
       {"experiments/tasks", {"experiments/solving"}},

@@ -49,7 +49,7 @@ TEST(SignEvaluator, AgreesWithExactEvaluationOfRandomPolynomials) {
   Random random(fuzz_seed(), "sign_evaluator");
   for (std::size_t i = 0; i < fuzz_cases(2000); ++i) {
     const IntegerPolynomial p = random_polynomial(random, 5, 4);
-    const Rational x = Rational(static_cast<long>(random.integer(-12, 12)), 6);
+    const Rational x = Rational(static_cast<long>(random.integer(-12, 12))) / 6;
     EXPECT_EQ(SignEvaluator(p).sign(x), sgn(p.to_polynomial().evaluate({&x, 1})));
   }
 }

@@ -206,6 +206,16 @@ TEST(RealRoots, ZeroBecomesExact) {
   EXPECT_EQ(found.roots()[0].multiplicity, 2);
 }
 
+TEST(RealRoots, AreListedOrInWhatWasNotSearchedWhenStopped) {
+  std::stop_source source;
+  source.request_stop();
+  const RealRoots stopped(linear(1) * linear(2), {0, 3}, source.get_token());
+  EXPECT_TRUE(stopped.roots().empty());
+  ASSERT_EQ(stopped.unsearched().size(), 1u);
+  EXPECT_EQ(stopped.unsearched()[0].lower, 0);
+  EXPECT_EQ(stopped.unsearched()[0].upper, 3);
+}
+
 TEST(RootBound, ExceedsEveryRoot) {
   Random random(fuzz_seed(), "root_bound");
   for (std::size_t i = 0; i < fuzz_cases(200); ++i) {
