@@ -33,7 +33,8 @@ const FigureKind& kind_of(const ReportItem& item) {
 
 const Registry<FigureKind>& figure_kinds() {
   static const Registry<FigureKind> kinds(
-      "kind of figure", {cover_panels_kind(), range_bars_kind(), series_kind(), drawing_kind()});
+      "kind of figure",
+      {cover_panels_kind(), range_bars_kind(), series_kind(), drawing_kind(), ray_panels_kind()});
   return kinds;
 }
 

@@ -10,5 +10,6 @@ FigureKind cover_panels_kind();
 FigureKind range_bars_kind();
 FigureKind series_kind();
 FigureKind drawing_kind();
+FigureKind ray_panels_kind();
 
 }  // namespace gcslab

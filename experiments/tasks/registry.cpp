@@ -6,6 +6,7 @@
 #include "experiments/tasks/cover_task.h"
 #include "experiments/tasks/illustrate_task.h"
 #include "experiments/tasks/range_task.h"
+#include "experiments/tasks/ray_cast_task.h"
 #include "experiments/tasks/solve_task.h"
 
 namespace gcslab {
@@ -18,6 +19,7 @@ const TaskRegistry& task_registry() {
                                                  TaskEntry(std::make_shared<RangeTask>()),
                                                  TaskEntry(std::make_shared<ConversionTask>()),
                                                  TaskEntry(std::make_shared<IllustrateTask>()),
+                                                 TaskEntry(std::make_shared<RayCastTask>()),
                                              });
   return registry;
 }
