@@ -85,7 +85,8 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
                                            : fmt::format("{:.17g}", solution["point"][i].get<double>());
       line += fmt::format("{}{} = {}", i == 0 ? "" : ", ", names[i], value);
     }
-    fmt::print("  {}\n", line);
+    const int multiplicity = solution.value("multiplicity", 1);
+    fmt::print("  {}{}\n", line, multiplicity > 1 ? fmt::format(" (multiplicity {})", multiplicity) : "");
   }
 }
 

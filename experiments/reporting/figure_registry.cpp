@@ -32,9 +32,15 @@ const FigureKind& kind_of(const ReportItem& item) {
 }  // namespace
 
 const Registry<FigureKind>& figure_kinds() {
-  static const Registry<FigureKind> kinds(
-      "kind of figure", {cover_panels_kind(), boxes_kind(), range_bars_kind(), series_kind(), drawing_kind(),
-                         performance_profile_kind()});
+  static const Registry<FigureKind> kinds("kind of figure", {
+                                                                cover_panels_kind(),
+                                                                boxes_kind(),
+                                                                range_bars_kind(),
+                                                                series_kind(),
+                                                                drawing_kind(),
+                                                                performance_profile_kind(),
+                                                                ray_panels_kind(),
+                                                            });
   return kinds;
 }
 

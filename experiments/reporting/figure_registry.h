@@ -12,5 +12,6 @@ FigureKind range_bars_kind();
 FigureKind series_kind();
 FigureKind drawing_kind();
 FigureKind performance_profile_kind();
+FigureKind ray_panels_kind();
 
 }  // namespace gcslab

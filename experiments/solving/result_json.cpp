@@ -7,6 +7,7 @@
 #include "base/atomic_file.h"
 #include "base/content_hash.h"
 #include "base/error.h"
+#include "expression/differentiate.h"
 #include "interval/rounding.h"
 
 namespace gcslab {
@@ -70,6 +71,14 @@ void add_digits(Json& entry, const SystemFunctions& functions, const CertifiedRo
   entry["refined_reached"] = refined.reached;
 }
 
+/// A root of multiplicity m of a polynomial in one variable is a simple one of its derivative of order m - 1.
+SystemFunctions with_simple_root(const SystemFunctions& functions, const CertifiedRoot& root) {
+  EquationSystem system = functions.system();
+  for (int order = 1; order < root.multiplicity; ++order)
+    system.equations[0] = differentiate(system.equations[0], 0);
+  return SystemFunctions(std::move(system));
+}
+
 Json solution_json(const SystemFunctions& functions, const Solution& solution, int bits) {
   std::vector<double> point;
   for (const Interval& side : solution.root.box) point.push_back(midpoint(side));
@@ -79,12 +88,12 @@ Json solution_json(const SystemFunctions& functions, const Solution& solution, i
                 {"residual", residual(functions, point)},
                 {"certificate", {{"claim", "unique"}, {"evidence", evidence_json(solution.root)}}},
                 {"uniqueness_box", box_to_json(solution.root.uniqueness_box)},
-                {"multiplicity", 1},
+                {"multiplicity", solution.root.multiplicity},
                 {"isolated", "proved"}};
   if (!functions.inequalities().empty()) {
     entry["inequalities"] = solution.inequalities == InequalityState::proved ? "proved" : "undecided";
   }
-  if (bits > 53) add_digits(entry, functions, solution.root, bits);
+  if (bits > 53) add_digits(entry, with_simple_root(functions, solution.root), solution.root, bits);
   return entry;
 }
 

@@ -1,5 +1,8 @@
 #include "experiments/solving/solve_run.h"
 
+#include "base/error.h"
+#include "box_solver/univariate_search.h"
+
 namespace gcslab {
 namespace {
 
@@ -9,11 +12,23 @@ Status status_of(const SearchResult& found, Promise promise) {
   return Status::complete;
 }
 
+SolveOutcome solve_univariate(const SystemFunctions& functions, const SolveSettings& settings,
+                              bool is_resumed, const std::stop_token& stop) {
+  if (is_resumed) throw NotApplicable(settings.method + " does not resume interrupted searches");
+  SolveOutcome outcome;
+  outcome.search = univariate_search(functions, functions.system().box, settings.proof, stop);
+  outcome.status = status_of(outcome.search, Promise::rigorous);
+  outcome.completeness = "proved";
+  return outcome;
+}
+
 }  // namespace
 
 SolveOutcome solve_system(const SystemFunctions& functions, const SolveSettings& settings,
                           const std::optional<SearchStart>& start, const std::stop_token& stop,
                           SearchObserver* observer) {
+  if (solver_method_registry().at(settings.method).engine == SolverEngine::univariate)
+    return solve_univariate(functions, settings, start.has_value(), stop);
   SearchOptions options = search_options(settings.options);
   options.threads = settings.threads;
   options.proof = settings.proof;

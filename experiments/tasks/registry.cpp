@@ -6,6 +6,7 @@
 #include "experiments/tasks/cover_task.h"
 #include "experiments/tasks/illustrate_task.h"
 #include "experiments/tasks/range_task.h"
+#include "experiments/tasks/ray_cast_task.h"
 #include "experiments/tasks/reduction_task.h"
 #include "experiments/tasks/replay_task.h"
 #include "experiments/tasks/solve_task.h"
@@ -22,6 +23,7 @@ const TaskRegistry& task_registry() {
                                                  TaskEntry(std::make_shared<IllustrateTask>()),
                                                  TaskEntry(std::make_shared<ReductionTask>()),
                                                  TaskEntry(std::make_shared<ReplayTask>()),
+                                                 TaskEntry(std::make_shared<RayCastTask>()),
                                              });
   return registry;
 }

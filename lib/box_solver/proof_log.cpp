@@ -152,6 +152,12 @@ void ProofLog::end_empty() { write("end empty"); }
 void ProofLog::end_undecided() { write("end undecided"); }
 void ProofLog::end_pending() { write("end pending"); }
 
+void ProofLog::end_counted(const std::vector<Interval>& excluded) {
+  line_ = "end counted";
+  for (const Interval& x : excluded) append_interval(line_, x);
+  write(line_);
+}
+
 void ProofLog::end_covered(std::size_t root) {
   line_ = "end covered";
   append_integer(line_, root);

@@ -32,6 +32,10 @@
 //                                    `expansion` in a part is forgotten at the end of that part
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
+//     end counted LO HI ...          one polynomial in one variable: the boxes of the result and the
+//     intervals
+//                                    that follow, where an inequality fails, contain as many distinct roots
+//                                    as there are in the search box; the verifier counts them
 //   end
 //   hash XXH3                      of all lines before
 // Every line says what holds because of it; proof_step.h says why.
@@ -60,6 +64,7 @@ class ProofLog {
   void end_covered(std::size_t root);
   void end_undecided();
   void end_pending();
+  void end_counted(const std::vector<Interval>& excluded);
   void end_cut(std::size_t variable, double point, std::uint64_t lower, std::uint64_t upper);
   void finish();
 

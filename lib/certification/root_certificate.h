@@ -21,18 +21,19 @@ std::string_view name_of(Claim claim);
 
 /// One theorem applied to one box.
 struct Evidence {
-  std::string type;  ///< "krawczyk", "slope_regularity", ...
+  std::string type;  ///< "krawczyk", "slope_regularity", "descartes", ...
   Claim claim;
   Box box;
-  int bits;  ///< precision of the interval arithmetic
+  int bits;  ///< precision of the interval arithmetic; 0: exact where doubles cannot tell
 };
 
-/// A root that is known to exist. Promise: `box` contains exactly one root of the equations, and
-/// `uniqueness_box`, which contains `box`, contains no other.
+/// A root that is known to exist. Promise: `box` contains exactly one root of the equations, which has that
+/// multiplicity, and `uniqueness_box`, which contains `box`, contains no other.
 struct CertifiedRoot {
   Box box;
   Box uniqueness_box;
   std::vector<Evidence> evidence;
+  int multiplicity = 1;  ///< more than 1 only for polynomials in one variable
 };
 
 }  // namespace gcslab

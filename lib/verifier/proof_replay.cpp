@@ -6,6 +6,13 @@
 
 namespace gcslab::verifier {
 
+bool ListedResult::holds_all_roots(const Interval& search, const std::vector<Interval>& others) const {
+  std::vector<Interval> all;
+  for (const Interval& x : parts) all.push_back(intersection(x, search));
+  for (const Interval& x : others) all.push_back(intersection(x, search));
+  return counter->count_in_union(std::move(all)) == counter->count(search);
+}
+
 ProofReplay::ProofReplay(JudgedSystem& system, const Box& search_box, const ListedResult& listed,
                          ProofReader& reader)
     : system_(&system),
@@ -166,6 +173,8 @@ void ProofReplay::end_node() {
     end_undecided();
   } else if (end == "cut") {
     end_cut();
+  } else if (end == "counted") {
+    end_counted();
   } else {
     reader_->refuse("'" + std::string(end) + "' is no end of a node");
   }
@@ -190,6 +199,20 @@ void ProofReplay::end_undecided() {
   if (std::ranges::binary_search(undecided_, part_.box, is_before)) return;
   if (std::ranges::none_of(undecided_, [&](const Box& other) { return is_subset(part_.box, other); }))
     reader_->refuse("the box lies in no undecided box of the result");
+}
+
+void ProofReplay::end_counted() {
+  if (listed_->counter == nullptr || part_.box != *search_box_)
+    reader_->refuse("only roots of one polynomial in one variable, in the search box, are counted");
+  std::vector<Interval> excluded;
+  while (!reader_->at_end_of_line()) {
+    excluded.push_back(reader_->interval());
+    if (!violates_inequality(ranges_of({excluded.back()})))
+      reader_->refuse("no inequality is proved to fail everywhere in " + to_string(excluded.back()));
+  }
+  if (!listed_->holds_all_roots(search_box_->front(), excluded))
+    reader_->refuse("by counting, the boxes listed do not contain every root");
+  reader_->end_line();
 }
 
 void ProofReplay::end_cut() {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "verifier/proof_reader.h"
+#include "verifier/root_counter.h"
 #include "verifier/root_prover.h"
 #include "verifier/step_judge.h"
 
@@ -28,6 +29,11 @@ struct ListedRoot {
 struct ListedResult {
   std::vector<ListedRoot> roots;
   std::vector<Box> undecided;
+  const RootCounter* counter = nullptr;  ///< for one polynomial in one variable
+  std::vector<Interval> parts{};         ///< of the line, where roots are listed; with a counter
+
+  /// Whether these parts and `others` contain all roots in the search interval.
+  bool holds_all_roots(const Interval& search, const std::vector<Interval>& others) const;
 };
 
 struct ReplaySummary {
@@ -86,6 +92,7 @@ class ProofReplay {
   void end_node();
   void end_covered();
   void end_undecided();
+  void end_counted();
   void end_cut();
   void open_box(std::uint64_t id, const Box& box);
 

@@ -9,7 +9,11 @@ namespace gcslab::verifier {
 
 ResultJudge::ResultJudge(const EquationSystem& system, const Box& search_box, JudgedSystem& judged,
                          VerificationReport& report)
-    : system_(&system), search_box_(&search_box), judged_(&judged), report_(&report), prover_(judged) {}
+    : system_(&system), search_box_(&search_box), judged_(&judged), report_(&report), prover_(judged) {
+  if (judged.variables() != 1 || judged.equations().size() != 1) return;
+  const std::optional<PolynomialTerms>& terms = judged.equations()[0].polynomial;
+  if (terms && !terms->empty()) counter_.emplace(*terms);
+}
 
 /// Runs a judgement; what it refuses goes to the report.
 template <class Judgement>
@@ -32,6 +36,7 @@ void ResultJudge::judge(const nlohmann::json& result) {
   attempt([&] {
     for (const JsonPlace& place : root.at("undecided").items()) attempt([&] { judge_undecided(place); });
   });
+  if (counter_) count_roots();
   attempt([&] { note_unchecked(root); });
   for (const auto& [claim, number] : counts_) report_->checked.push_back({claim, number});
 }
@@ -79,7 +84,7 @@ void ResultJudge::judge_certificate(const JsonPlace& place, Solution& solution) 
     report_->not_checked.push_back(place.pointer() + ": a solution without certificate");
     return;
   }
-  solution.root = prover_.enclose(solution.box);
+  solution.root = enclosed_root(solution.box);
   if (!solution.root) place.at("box").refuse("is not proved to contain a root");
   count("solutions: the box contains a root");
   const std::optional<JsonPlace> uniqueness = place.find("uniqueness_box");
@@ -87,13 +92,34 @@ void ResultJudge::judge_certificate(const JsonPlace& place, Solution& solution) 
     const Box widest = uniqueness ? uniqueness->box(judged_->variables()) : solution.box;
     const JsonPlace where = uniqueness ? *uniqueness : place.at("box");
     if (!is_subset(solution.box, widest)) where.refuse("does not contain the box of the solution");
-    if (!prover_.has_no_other(widest, *solution.root)) where.refuse("is not proved to contain no other root");
+    if (!has_no_other(widest, *solution.root)) where.refuse("is not proved to contain no other root");
     count("solutions: the uniqueness box contains no other root");
     listed_.roots.push_back({*solution.root, widest});
   }
   if (const auto evidence = certificate.find("evidence")) {
     for (const JsonPlace& item : evidence->items()) attempt([&] { judge_evidence(item, solution); });
   }
+}
+
+/// A root in the box; a multiple one is proved to be the only one there by counting.
+std::optional<EnclosedRoot> ResultJudge::enclosed_root(const Box& box) {
+  std::optional<EnclosedRoot> root = prover_.enclose(box);
+  if (root || !counter_ || counter_->count(box[0]) != 1) return root;
+  return EnclosedRoot{ranges_of(box), {}};
+}
+
+bool ResultJudge::has_no_other(const Box& box, const EnclosedRoot& root) {
+  if (!counter_) return prover_.has_no_other(box, root);
+  return is_within(root.enclosure, box) && counter_->count(box[0]) == 1;
+}
+
+/// Whether the boxes listed contain every root in the search box.
+void ResultJudge::count_roots() {
+  listed_.counter = &*counter_;
+  for (const Solution& solution : solutions_) listed_.parts.push_back(solution.box[0]);
+  for (const Box& box : listed_.undecided) listed_.parts.push_back(box[0]);
+  report_->completeness_proved = listed_.holds_all_roots(search_box_->front(), {});
+  if (report_->completeness_proved) count("completeness: no roots beside those in the boxes, by counting");
 }
 
 /// One theorem applied to one box: the verifier proves the claim, by its own theorem.
@@ -104,7 +130,7 @@ void ResultJudge::judge_evidence(const JsonPlace& evidence, const Solution& solu
   const Box box = place.box(judged_->variables());
   if (claim != "at_most_one" && !is_within(solution.root->enclosure, box))
     place.refuse("is not proved to contain the root");
-  if (claim != "exists" && !prover_.has_no_other(box, *solution.root))
+  if (claim != "exists" && !has_no_other(box, *solution.root))
     place.refuse("is not proved to contain no other root");
   count("solutions: evidence");
 }
@@ -112,19 +138,23 @@ void ResultJudge::judge_evidence(const JsonPlace& evidence, const Solution& solu
 void ResultJudge::judge_multiplicity(const JsonPlace& place, const Solution& solution) {
   const auto isolated = place.find("isolated");
   const auto multiplicity = place.find("multiplicity");
-  const bool is_regular = solution.root.has_value();
+  const bool is_isolated = solution.root.has_value();
   if (isolated && isolated->word({"proved", "no", "unknown"}) != "unknown") {
-    if ((isolated->text() == "proved") != is_regular) isolated->refuse("is not proved");
+    if ((isolated->text() == "proved") != is_isolated) isolated->refuse("is not proved");
     count("solutions: the root is isolated");
   }
   if (!multiplicity) return;
-  if (!is_regular) {
+  if (!is_isolated) {
     report_->not_checked.push_back(multiplicity->pointer());
-  } else if (multiplicity->number() != 1) {
-    multiplicity->refuse("is not 1, but the Jacobian at the root is regular");
-  } else {
-    count("solutions: the root is simple");
+    return;
   }
+  const bool is_simple = !solution.root->inverse.empty();
+  const int proved = is_simple ? 1 : counter_->multiplicity(solution.box[0]);
+  if (multiplicity->number() != proved) {
+    multiplicity->refuse(is_simple ? "is not 1, but the Jacobian at the root is regular"
+                                   : "is not " + std::to_string(proved) + ", as counted");
+  }
+  count(proved == 1 ? "solutions: the root is simple" : "solutions: the multiplicity of the root");
 }
 
 void ResultJudge::judge_point(const JsonPlace& place, const Solution& solution) {
@@ -211,7 +241,7 @@ void ResultJudge::judge_summary(const nlohmann::json& result, bool has_proof) {
     status.word({"complete", "partial", "budget_exhausted", "not_applicable", "failed"});
     if (word == "proved" && has_proof && !report_->completeness_proved)
       completeness.refuse("is not proved by the proof file");
-    if (word == "proved" && !has_proof)
+    if (word == "proved" && !has_proof && !report_->completeness_proved)
       report_->not_checked.push_back("/completeness: that nothing is missing; give the proof file");
     if (word == "probable") report_->not_checked.push_back("/completeness: probable");
     const bool is_complete = word == "proved" && listed_.undecided.empty();

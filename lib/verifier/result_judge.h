@@ -1,6 +1,9 @@
 #pragma once
 
 // Judges what a result file lists: certificates, points, inequalities, and the words that sum it up.
+//
+// The roots of one polynomial in one variable are counted exactly (root_counter.h): that proves
+// multiplicities, and that nothing is missing, without a proof file.
 
 #include <map>
 #include <optional>
@@ -9,6 +12,7 @@
 
 #include "verifier/json_place.h"
 #include "verifier/proof_replay.h"
+#include "verifier/root_counter.h"
 #include "verifier/verifier.h"
 
 namespace gcslab::verifier {
@@ -43,6 +47,8 @@ class ResultJudge {
   void judge_solution(const JsonPlace& place);
   void judge_complex(const JsonPlace& place);
   void judge_certificate(const JsonPlace& place, Solution& solution);
+  std::optional<EnclosedRoot> enclosed_root(const Box& box);
+  bool has_no_other(const Box& box, const EnclosedRoot& root);
   void judge_evidence(const JsonPlace& evidence, const Solution& solution);
   void judge_multiplicity(const JsonPlace& place, const Solution& solution);
   void judge_point(const JsonPlace& place, const Solution& solution);
@@ -50,6 +56,7 @@ class ResultJudge {
   void judge_inequalities(const JsonPlace& place, const Solution& solution);
   void judge_distinct(const JsonPlace& solutions);
   void judge_undecided(const JsonPlace& place);
+  void count_roots();
   void note_unchecked(const JsonPlace& result);
 
   const EquationSystem* system_;
@@ -57,6 +64,7 @@ class ResultJudge {
   JudgedSystem* judged_;
   VerificationReport* report_;
   RootProver prover_;
+  std::optional<RootCounter> counter_;  ///< of one polynomial in one variable
   ListedResult listed_;
   std::vector<Solution> solutions_;
   std::map<std::string, std::uint64_t> counts_;

@@ -5,9 +5,9 @@
 //
 // Promise: a report without refusals says which claims hold (`checked`, with numbers) and which were not
 // looked at (`not_checked`); whatever of the result is not in the second list is proved by the theorems of
-// root_prover.h, step_judge.h and proof_replay.h, in 256-bit intervals of the verifier's own. What it cannot
-// prove it refuses, with the place: a JSON pointer, or file and line of the proof. A refusal says that the
-// claim is unproven, not that it is false.
+// root_prover.h, root_counter.h, step_judge.h and proof_replay.h, in 256-bit intervals of the verifier's own.
+// What it cannot prove it refuses, with the place: a JSON pointer, or file and line of the proof. A refusal
+// says that the claim is unproven, not that it is false.
 
 #include <cstdint>
 #include <iosfwd>
@@ -38,8 +38,8 @@ struct VerificationReport {
   std::vector<Checked> checked;
   std::vector<std::string> not_checked;
   std::vector<Refusal> refusals;
-  /// The proof file shows that every solution in the search box lies in the box of a listed solution or of an
-  /// undecided entry.
+  /// Every solution in the search box lies in the box of a listed solution or of an undecided entry: by the
+  /// proof file or, when there is none, for one polynomial in one variable by counting its roots.
   bool completeness_proved = false;
 
   bool accepted() const { return refusals.empty(); }

@@ -72,7 +72,7 @@ inline Json solution_json(const EquationSystem& system, const Solution& solution
           {"residual", residual_at(system, point)},
           {"certificate", {{"claim", "unique"}, {"evidence", evidence}}},
           {"uniqueness_box", box_json(solution.root.uniqueness_box)},
-          {"multiplicity", 1},
+          {"multiplicity", solution.root.multiplicity},
           {"isolated", "proved"},
           {"inequalities", solution.inequalities == InequalityState::proved ? "proved" : "undecided"}};
 }
