@@ -1,0 +1,12 @@
+#pragma once
+
+#include "box_solver/search.h"
+#include "experiments/tasks/job_result.h"
+
+namespace gcslab {
+
+/// The discs of a circle packing and the graph of their tangencies, as the figure kind `drawing` takes them;
+/// null when the system is no packing or has not exactly one solution.
+Json packing_drawing(const SystemFunctions& functions, const SearchResult& found);
+
+}  // namespace gcslab
