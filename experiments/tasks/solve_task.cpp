@@ -56,7 +56,7 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   result.values["unknowns"] = functions.variables();
   result.values["undecided"] = found.search.undecided.size();
   if (found.status == Status::budget_exhausted) return result;  // the counts would depend on the machine
-  result.artifact = packing_drawing(functions, found.search);
+  result.artifact = packing_drawing(problem.name, functions, found.search);
   result.values["boxes"] = found.search.statistics.boxes;
   result.values["bisections"] = found.search.statistics.bisections;
   return result;

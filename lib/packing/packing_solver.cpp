@@ -1,6 +1,7 @@
 #include "packing/packing_solver.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -50,10 +51,20 @@ std::optional<CertifiedRoot> certified(const SystemFunctions& functions, const B
   return root;
 }
 
-/// The packing as a root of the equations: in doubles where they suffice.
+/// No narrower box of doubles would hold much less.
+bool is_tight(const Box& box) {
+  return std::ranges::all_of(box, [](const Interval& side) {
+    double end = side.lower;
+    for (int i = 0; i < 3; ++i) end = std::nextafter(end, side.upper);
+    return end == side.upper;
+  });
+}
+
+/// The packing as a root of the equations. More precision in the proof is worth its time only where more in
+/// the layout is of no use.
 std::optional<CertifiedRoot> root_in(const SystemFunctions& functions, const Box& box, int bits) {
   std::optional<CertifiedRoot> root = certified<FastInterval>(functions, box, 53);
-  if (!root) root = certified<MpfrInterval>(functions, box, bits);
+  if (!root && is_tight(box)) root = certified<MpfrInterval>(functions, box, bits);
   if (!root) return std::nullopt;
   // The one root of the uniqueness box is the packing, and so lies in both boxes.
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -81,7 +92,7 @@ class PackingSolver {
     } else if (stop.stop_requested()) {
       keep_pending();
     } else {
-      keep_undecided("the packing was not certified with " + std::to_string(options_.maximum_bits) + " bits");
+      keep_undecided("doubles are too coarse for the discs of this packing, or maximum_bits is too low");
     }
     if (options_.proof != nullptr) options_.proof->finish();
     return std::move(result_);
@@ -97,7 +108,8 @@ class PackingSolver {
       if (stop.stop_requested()) return std::nullopt;
       const std::optional<Box> box = layout_box(problem_, *approximate, bits);
       if (box) {
-        if (auto root = root_in(functions_, *box, bits)) return root;
+        auto root = root_in(functions_, *box, bits);
+        if (root || is_tight(*box)) return root;
       }
       if (bits >= options_.maximum_bits) return std::nullopt;
     }

@@ -111,6 +111,61 @@ TEST(PackingSolver, LeavesTheBoxUndecidedWhereTheTheoremLacksSomething) {
   expect_accepted(run);
 }
 
+/// Each disc in the gap of the three before it, smaller by a factor of about 2.9.
+EquationSystem spiral(int discs) {
+  Triangulation graph;
+  Face face = {0, 1, 2};
+  for (int i = 0; i < discs; ++i) {
+    graph.insert_vertex(face);
+    face = {face[1], face[2], graph.vertices() - 1};
+  }
+  return packing_system(graph, standard_outer_discs(), rational_from_text("1e-40"));
+}
+
+TEST(PackingSolver, TakesMorePrecisionWhereDoublesDoNotSuffice) {
+  const SolvedSystem run = packed(spiral(16));
+  ASSERT_EQ(run.result["status"], "complete");
+  EXPECT_GT(run.result["solutions"][0]["certificate"]["evidence"][1]["bits"], 53);
+  expect_accepted(run);
+}
+
+TEST(PackingSolver, SaysWhereDiscsAreTooSmallForABoxOfDoubles) {
+  const SolvedSystem run = packed(spiral(25));
+  EXPECT_EQ(run.result["status"], "partial");
+  EXPECT_EQ(run.result["solutions"].size(), 0u);
+  ASSERT_EQ(run.result["undecided"].size(), 1u);
+  EXPECT_NE(run.result["undecided"][0]["reason"].get<std::string>().find("too coarse"), std::string::npos);
+  expect_accepted(run);
+}
+
+/// Discs of curvatures 6, 3, 23 (times 1/6) and both that touch them: 62, in their gap, and 2, on the other
+/// side.
+TEST(PackingSolver, DoesNotTakeTheGapsPackingForTheOnlyOneInAWiderBox) {
+  const auto one_disc = [](double top) {
+    return system_of({"x", "y", "r"},
+                     {"x^2 + y^2 = (r + 1)^2", "(x - 3)^2 + y^2 = (r + 2)^2",
+                      "(x - 21/23)^2 + (y - 20/23)^2 = (r + 6/23)^2"},
+                     {{0, 3}, {0, top}, {0.01, 4}});
+  };
+  const SolvedSystem wide = packed(one_disc(5));
+  EXPECT_EQ(wide.result["status"], "partial");
+  ASSERT_EQ(wide.result["solutions"].size(), 1u);
+  EXPECT_NEAR(wide.result["solutions"][0]["point"][2].get<double>(), 3.0 / 31, 1e-15);
+  expect_accepted(wide);
+  EXPECT_EQ(solved(one_disc(5)).result["solutions"].size(), 2u);
+  // Where the box ends below the highest fixed centre, the theorem applies.
+  const SolvedSystem narrow = packed(one_disc(0.8));
+  EXPECT_EQ(narrow.result["status"], "complete");
+  expect_accepted(narrow);
+  SolvedSystem spoilt = narrow;
+  spoilt.system.box = one_disc(5).box;
+  const std::size_t second = spoilt.proof.find('\n') + 1;
+  std::ostringstream header;
+  ProofLog(header).begin(spoilt.system.box);
+  spoilt.proof = with_hash(header.str() + spoilt.proof.substr(spoilt.proof.find('\n', second) + 1));
+  EXPECT_FALSE(spoilt.verified().completeness_proved);
+}
+
 TEST(PackingSolver, TakesNoOtherSystem) {
   const EquationSystem system =
       system_of({"x", "y", "r"}, {"x^2 + y^2 = r^2", "x - y", "r - 1"}, {{-2, 2}, {-2, 2}, {0, 2}});
