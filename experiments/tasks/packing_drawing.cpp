@@ -82,7 +82,7 @@ Json packing_drawing(const std::string& name, const SystemFunctions& functions, 
   }
   const std::vector<DrawnDisc> discs = drawn_discs(*problem, found.solutions.front().root.box);
   const double margin = 0.02 * std::min({discs[0].radius, discs[1].radius, discs[2].radius});
-  Json panel = {{"title", fmt::format("{}, {} unknowns", name, functions.variables())},
+  Json panel = {{"title", fmt::format("{}, {} discs", name, discs.size() - 3)},
                 {"x", window(discs, 0, margin)},
                 {"y", window(discs, 1, margin)},
                 {"aspect", "equal"},
