@@ -17,8 +17,8 @@ set ytics offset 0.4,0
 set multiplot # 174 mm x 105 mm
 set style textbox opaque noborder margins 0.6,0.6
 
-# octahedron-graph, 9 unknowns
-set label 'octahedron-graph, 9 unknowns' at screen 0.16667,0.97326 center font ',8' tc rgb '#202020' noenhanced front
+# octahedron-graph, 3 discs
+set label 'octahedron-graph, 3 discs' at screen 0.16667,0.97326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.16667,0.44938 center font ',7' tc rgb '#202020' noenhanced front
 set label '' at screen 0.01149,0.73090 center rotate by 90 font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.01724; set rmargin at screen 0.31609
@@ -54,8 +54,8 @@ plot \
   data index 14 using 1:2 with lines lw 0.5 dt 1 lc rgb '#A0A0A0'
 unset label; unset arrow
 
-# random-9, 9 unknowns
-set label 'random-9, 9 unknowns' at screen 0.50000,0.97326 center font ',8' tc rgb '#202020' noenhanced front
+# random-9, 3 discs
+set label 'random-9, 3 discs' at screen 0.50000,0.97326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.50000,0.44938 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.35057; set rmargin at screen 0.64943
 set bmargin at screen 0.50955; set tmargin at screen 0.95224
@@ -90,8 +90,8 @@ plot \
   data index 29 using 1:2 with lines lw 0.5 dt 1 lc rgb '#A0A0A0'
 unset label; unset arrow
 
-# icosahedron-graph, 27 unknowns
-set label 'icosahedron-graph, 27 unknowns' at screen 0.83333,0.97326 center font ',8' tc rgb '#202020' noenhanced front
+# icosahedron-graph, 9 discs
+set label 'icosahedron-graph, 9 discs' at screen 0.83333,0.97326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.83333,0.44938 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.68391; set rmargin at screen 0.98276
 set bmargin at screen 0.50955; set tmargin at screen 0.95224
@@ -156,8 +156,8 @@ plot \
   data index 68 using 1:2 with lines lw 0.5 dt 1 lc rgb '#A0A0A0'
 unset label; unset arrow
 
-# random-27, 27 unknowns
-set label 'random-27, 27 unknowns' at screen 0.16667,0.47326 center font ',8' tc rgb '#202020' noenhanced front
+# random-27, 9 discs
+set label 'random-27, 9 discs' at screen 0.16667,0.47326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.16667,-0.05062 center font ',7' tc rgb '#202020' noenhanced front
 set label '' at screen 0.01149,0.23090 center rotate by 90 font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.01724; set rmargin at screen 0.31609
@@ -223,8 +223,8 @@ plot \
   data index 107 using 1:2 with lines lw 0.5 dt 1 lc rgb '#A0A0A0'
 unset label; unset arrow
 
-# random-60, 60 unknowns
-set label 'random-60, 60 unknowns' at screen 0.50000,0.47326 center font ',8' tc rgb '#202020' noenhanced front
+# random-60, 20 discs
+set label 'random-60, 20 discs' at screen 0.50000,0.47326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.50000,-0.05062 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.35057; set rmargin at screen 0.64943
 set bmargin at screen 0.00955; set tmargin at screen 0.45224
@@ -344,8 +344,8 @@ plot \
   data index 190 using 1:2 with lines lw 0.5 dt 1 lc rgb '#A0A0A0'
 unset label; unset arrow
 
-# random-180, 180 unknowns
-set label 'random-180, 180 unknowns' at screen 0.83333,0.47326 center font ',8' tc rgb '#202020' noenhanced front
+# random-180, 60 discs
+set label 'random-180, 60 discs' at screen 0.83333,0.47326 center font ',8' tc rgb '#202020' noenhanced front
 set label '' at screen 0.83333,-0.05062 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.68391; set rmargin at screen 0.98276
 set bmargin at screen 0.00955; set tmargin at screen 0.45224
