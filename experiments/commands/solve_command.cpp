@@ -17,7 +17,7 @@
 #include "experiments/reporting/box_picture.h"
 #include "experiments/reporting/cover_picture.h"
 #include "experiments/solving/result_json.h"
-#include "experiments/solving/solve_run.h"
+#include "experiments/solving/solve_method.h"
 #include "experiments/tasks/memory_use.h"
 #include "experiments/tasks/stopwatch.h"
 
@@ -47,7 +47,7 @@ Json method_json(const Settings& settings, const Options& options) {
   for (const auto& [name, value] : options.values()) values[name] = to_string(value);
   return {{"name", settings.method},
           {"options", values},
-          {"version", solver_method_registry().at(settings.method).version}};
+          {"version", solve_method_registry().at(settings.method).version}};
 }
 
 /// The result of the contract.
@@ -160,9 +160,9 @@ int run(const Settings& settings) {
   Problem problem = load_system(settings.problem);
   if (!settings.box.empty())
     problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
-  const SolverMethod& method = solver_method_registry().at(settings.method);
+  const SolveMethod& method = solve_method_registry().at(settings.method);
   SolveSettings solve{settings.method,
-                      Options(method.options(), option_texts(settings.options), settings.method)};
+                      Options(method.options, option_texts(settings.options), settings.method)};
   solve.threads = settings.threads;
   check_outputs(settings);
   Picture picture(settings, problem);

@@ -7,7 +7,7 @@
 #include "base/content_hash.h"
 #include "base/nearest_name.h"
 #include "base/yaml_reader.h"
-#include "experiments/corpus/random_polynomial.h"
+#include "experiments/corpus/generated_system.h"
 #include "expression/printer.h"
 #include "expression/system_formats.h"
 

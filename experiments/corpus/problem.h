@@ -3,7 +3,7 @@
 // Problems of the corpus that are given by functions over a box: curves, surfaces, space curves, functions.
 //
 // A problem file is YAML with the keys of the contract; unknown and duplicate keys are refused with file and
-// line. The equations are written out or come from a named generator.
+// line. The equations are written out or come from a named generator (generated_system.h).
 
 #include <filesystem>
 #include <map>

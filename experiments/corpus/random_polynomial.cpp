@@ -45,14 +45,8 @@ Polynomial random_polynomial(const RandomPolynomialOptions& options) {
   return polynomial;
 }
 
-EquationSystem read_generated_system(const YamlNode& problem, const YamlNode& generator) {
+EquationSystem read_random_polynomial(const YamlNode& problem, const YamlNode& generator) {
   generator.allow_keys({"name", "total_degree", "law", "seed"});
-  if (generator.at("name").text() != "random_polynomial") {
-    generator.at("name").fail("is unknown (known: random_polynomial)");
-  }
-  for (const char* key : {"equations", "inequalities"}) {
-    if (problem.find(key)) generator.fail("stands beside '" + std::string(key) + "'; give one of them");
-  }
   EquationSystem system;
   system.variables = read_variables(problem.at("variables"));
   RandomPolynomialOptions options;

@@ -30,6 +30,6 @@ Polynomial random_polynomial(const RandomPolynomialOptions& options);
 
 /// Reads a problem file whose key `generator` is {name: random_polynomial, total_degree, law, seed} in place
 /// of `equations`.
-EquationSystem read_generated_system(const YamlNode& problem, const YamlNode& generator);
+EquationSystem read_random_polynomial(const YamlNode& problem, const YamlNode& generator);
 
 }  // namespace gcslab

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "box_solver/solver_method.h"
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/search_picture_json.h"
-#include "experiments/solving/solve_run.h"
+#include "experiments/solving/solve_method.h"
 #include "experiments/tasks/job_result.h"
+#include "experiments/tasks/packing_drawing.h"
 #include "experiments/tasks/stopwatch.h"
 
 namespace gcslab {
@@ -32,9 +32,9 @@ std::string SolveTask::summary() const { return "every real solution of a system
 
 std::vector<MethodInfo> SolveTask::methods() const {
   std::vector<MethodInfo> methods;
-  for (const SolverMethod& method : solver_method_registry().entries()) {
-    methods.push_back({method.name, method.summary, Promise::rigorous, method.version, method.options(),
-                       &SolverMethod::promise});
+  for (const SolveMethod& method : solve_method_registry().entries()) {
+    methods.push_back(
+        {method.name, method.summary, Promise::rigorous, method.version, method.options, method.promise});
   }
   return methods;
 }
@@ -51,6 +51,7 @@ std::vector<OptionSpec> SolveTask::parameters() const {
 std::vector<ValueInfo> SolveTask::values() const {
   return {{"solutions", "certified solutions", "solutions"},
           {"known_solutions", "solutions in the box that are known by other means", "solutions"},
+          {"unknowns", "variables of the system", "variables"},
           {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
           {"boxes", "boxes taken from the list", "boxes"},
           {"bisections", "boxes cut in two", "boxes"},
@@ -82,8 +83,10 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   if (found.status == Status::budget_exhausted) result.reason = "boxes were left when the budget ended";
   result.values["solutions"] = found.search.solutions.size();
   if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
+  result.values["unknowns"] = functions.variables();
   result.values["undecided"] = found.search.undecided.size();
   if (found.status == Status::budget_exhausted) return result;  // the counts would depend on the machine
+  result.artifact = packing_drawing(problem.name, functions, found.search);
   result.values["boxes"] = found.search.statistics.boxes;
   result.values["bisections"] = found.search.statistics.bisections;
   if (is_recorded) {

@@ -148,6 +148,12 @@ void ProofLog::node(std::uint64_t id, const ProofTrace& trace) {
   for (const ProofStep& taken : trace.steps()) step(taken);
 }
 
+void ProofLog::theorem(std::string_view name) {
+  line_ = "theorem ";
+  line_ += name;
+  write(line_);
+}
+
 void ProofLog::end_empty() { write("end empty"); }
 void ProofLog::end_undecided() { write("end undecided"); }
 void ProofLog::end_pending() { write("end pending"); }

@@ -36,6 +36,10 @@
 //     intervals
 //                                    that follow, where an inequality fails, contain as many distinct roots
 //                                    as there are in the search box; the verifier counts them
+//   theorem NAME                  in place of starts and nodes: a theorem about this kind of system shows
+//   that
+//                                 the search box has no solution beside the listed ones. circle_packing:
+//                                 packing/packing_problem.h
 //   end
 //   hash XXH3                      of all lines before
 // Every line says what holds because of it; proof_step.h says why.
@@ -60,6 +64,7 @@ class ProofLog {
   void start(std::uint64_t id, const Box& box);
   void root(std::size_t number, const CertifiedRoot& root);
   void node(std::uint64_t id, const ProofTrace& trace);
+  void theorem(std::string_view name);
   void end_empty();
   void end_covered(std::size_t root);
   void end_undecided();

@@ -14,7 +14,6 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<OptionSpec> SolverMethod::options() const {
-  if (engine == SolverEngine::univariate) return {};
   std::vector<std::string> arithmetics;
   for (const Arithmetic a : kArithmetics) arithmetics.emplace_back(name_of(a));
   return {
@@ -76,11 +75,6 @@ const Registry<SolverMethod>& solver_method_registry() {
            "mourrain_pavone"},
           {"lp_reduction", "linear programs over the Bernstein polytope of the box", 1, "lp_reduction"},
           {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
-          {"univariate_bernstein",
-           "one polynomial in one variable: every real root with its multiplicity, exactly, by Descartes' "
-           "rule "
-           "in the Bernstein basis (Collins, Akritas 1976; Lane, Riesenfeld 1981)",
-           1, "", SolverEngine::univariate},
       });
   return registry;
 }

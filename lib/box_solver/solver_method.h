@@ -1,7 +1,7 @@
 #pragma once
 
-// The methods of `solve` for systems, under the names users know: settings of one branch-and-prune engine,
-// and the isolation of roots of one polynomial in one variable.
+// The methods of `solve` for systems that are settings of one branch-and-prune engine, under the names users
+// know.
 
 #include <string>
 #include <vector>
@@ -14,18 +14,11 @@
 
 namespace gcslab {
 
-/// What a method runs.
-enum class SolverEngine {
-  branch_and_prune,  ///< search.h
-  univariate         ///< univariate_search.h
-};
-
 struct SolverMethod {
   std::string name;
   std::string summary;
   int version;             ///< raised when answers or counts change
   std::string contractor;  ///< the default of its option `contractor`
-  SolverEngine engine = SolverEngine::branch_and_prune;
 
   /// The options of the engine with this method's defaults.
   std::vector<OptionSpec> options() const;

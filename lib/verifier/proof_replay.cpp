@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verifier/box_relations.h"
+#include "verifier/packing_theorem.h"
 
 namespace gcslab::verifier {
 
@@ -35,7 +36,7 @@ ReplaySummary ProofReplay::run() {
   if (!open_.empty()) {
     summary_.gap = std::to_string(open_.size()) + " boxes, one of them number " +
                    std::to_string(open_.begin()->first) + ", are not followed to an end";
-  } else if (!is_covered(*search_box_, starts_)) {
+  } else if (!theorem_covers_ && !is_covered(*search_box_, starts_)) {
     summary_.gap = "the boxes that the search starts from do not cover the search box, as after a resumption";
   }
   summary_.is_complete = summary_.gap.empty();
@@ -60,6 +61,8 @@ bool ProofReplay::read_event(std::string_view word) {
     read_root();
   } else if (word == "node") {
     read_node();
+  } else if (word == "theorem") {
+    read_theorem();
   } else if (word == "end") {
     reader_->end_line();
     return false;
@@ -97,6 +100,26 @@ bool ProofReplay::violates_inequality(const RangeBox& root) {
     if (value.is_empty() || mpfr_sgn(value.lower()) > 0) return true;
   }
   return false;
+}
+
+bool ProofReplay::satisfies_inequalities(const RangeBox& root) {
+  return std::ranges::all_of(system_->inequalities(), [&](JudgedFunction& inequality) {
+    const Range& value = inequality.program.evaluate(root);
+    return !value.is_empty() && mpfr_sgn(value.upper()) <= 0 && inequality.program.is_defined_everywhere();
+  });
+}
+
+/// At most one solution by the theorem, and one that is listed: it is the only one.
+void ProofReplay::read_theorem() {
+  if (reader_->word() != "circle_packing") reader_->refuse("expected 'circle_packing'");
+  reader_->end_line();
+  if (const auto gap = packing_theorem_gap(*system_, *search_box_))
+    reader_->refuse("does not apply: " + *gap);
+  theorem_covers_ = std::ranges::any_of(listed_->roots, [&](const ListedRoot& listed) {
+    return is_within(listed.root.enclosure, *search_box_) && satisfies_inequalities(listed.root.enclosure);
+  });
+  if (!theorem_covers_) reader_->refuse("no listed root is proved to be a solution in the search box");
+  ++summary_.counts["theorems"];
 }
 
 /// Whether a known root needs not be looked for any more: it is listed, or no solution in the search box.

@@ -74,6 +74,7 @@ class ProofReplay {
   void read_start();
   void read_root();
   void read_node();
+  void read_theorem();
   void read_hash();
 
   bool read_step(std::string_view word);
@@ -100,6 +101,7 @@ class ProofReplay {
   bool is_accounted_for(const KnownRoot& known);
   static bool lies_in_any(const EnclosedRoot& root, const std::vector<Box>& boxes);
   bool violates_inequality(const RangeBox& root);
+  bool satisfies_inequalities(const RangeBox& root);
 
   JudgedSystem* system_;
   const Box* search_box_;
@@ -110,6 +112,7 @@ class ProofReplay {
   ReplaySummary summary_;
   std::vector<Box> undecided_;  ///< sorted
   std::vector<Box> starts_;
+  bool theorem_covers_ = false;  ///< a theorem shows that the listed solutions are all
   std::unordered_map<std::uint64_t, Box> open_;
   std::unordered_map<std::uint64_t, KnownRoot> roots_;
   std::uint64_t next_id_ = 0;  ///< every id below was used
