@@ -32,13 +32,11 @@
 //                                    `expansion` in a part is forgotten at the end of that part
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
-//     end counted LO HI ...          one polynomial in one variable: the boxes of the result and the
-//     intervals
+//     end counted LO HI ...          one polynomial in one variable: the boxes of the result and the ones
 //                                    that follow, where an inequality fails, contain as many distinct roots
 //                                    as there are in the search box; the verifier counts them
-//   theorem NAME                  in place of starts and nodes: a theorem about this kind of system shows
-//   that
-//                                 the search box has no solution beside the listed ones. circle_packing:
+//   theorem NAME                  in place of starts and nodes: by a theorem about this kind of system the
+//                                 search box has no solution beside the listed ones. circle_packing:
 //                                 packing/packing_problem.h
 //   end
 //   hash XXH3                      of all lines before
