@@ -37,9 +37,11 @@ double shifted_geometric_mean(const std::vector<double>& costs, double shift) {
   double sum = 0;
   for (const double cost : costs) {
     GCSLAB_CHECK(cost >= 0 && cost + shift > 0);
-    sum += std::log(cost + shift);
+    sum += shift > 0 ? std::log1p(cost / shift) : std::log(cost);
   }
-  return std::exp(sum / static_cast<double>(costs.size())) - shift;
+  const double mean = sum / static_cast<double>(costs.size());
+  return shift > 0 ? shift * std::expm1(mean)
+                   : std::exp(mean);  // no cancellation for costs far below the shift
 }
 
 double PerformanceProfile::share(double tau) const {

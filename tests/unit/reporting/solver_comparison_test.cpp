@@ -87,6 +87,8 @@ TEST(ShiftedGeometricMean, EqualsItsDefinition) {
   EXPECT_DOUBLE_EQ(shifted_geometric_mean({2, 7}, 1), std::sqrt(24.0) - 1);
   EXPECT_NEAR(shifted_geometric_mean({0, 0, 7}, 1), 1, 1e-15) << "cube root of 8, less 1";
   EXPECT_NEAR(shifted_geometric_mean({5}, 10), 5, 1e-14);
+  EXPECT_EQ(shifted_geometric_mean({0, 0, 0}, 0.01), 0);
+  EXPECT_NEAR(shifted_geometric_mean({1e-15, 1e-15}, 0.01), 1e-15, 1e-29) << "costs far below the shift";
 }
 
 TEST(ShiftedGeometricMean, AShiftLeavesScalesFarBelowItOut) {
