@@ -32,7 +32,8 @@
 //                                    `expansion` in a part is forgotten at the end of that part
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
-//   theorem NAME                  in place of starts and nodes: a theorem about this kind of system shows that
+//   theorem NAME                  in place of starts and nodes: a theorem about this kind of system shows
+//   that
 //                                 the search box has no solution beside the listed ones. circle_packing:
 //                                 packing/packing_problem.h
 //   end
