@@ -269,7 +269,7 @@ class Drawing {
 
 FigureKind drawing_kind() {
   return {"drawing",
-          "the panels that a task drew, side by side: those of illustrate, and circle packings that solve found",
+          "the panels that a task drew, side by side",
           {{.name = "panels_per_line",
             .meaning = "panels side by side; 0: up to 4, lines of equal length",
             .default_value = std::int64_t{0},

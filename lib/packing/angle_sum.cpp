@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/check.h"
 #include "interval/mpfr_interval.h"
 #include "interval/point_numbers.h"
 #include "interval/rounding.h"
@@ -73,7 +74,9 @@ AngleSumDerivative::AngleSumDerivative(const Triangulation& graph, std::span<con
       add_edge(w, v, rates[i], entries);
     }
   }
-  Eigen::SparseMatrix<double> matrix(graph.inner_vertices(), graph.inner_vertices());
+  const Eigen::Index size = graph.inner_vertices();
+  GCSLAB_CHECK(size > 0);
+  Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factors_.compute(matrix);
 }

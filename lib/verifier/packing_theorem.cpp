@@ -124,12 +124,12 @@ class PackingJudge {
   std::optional<std::string> gap() {
     if (box_.size() % 3 != 0 || system_.equations().size() != box_.size())
       return "there are not three variables and three equations a disc";
-    if (const auto reason = read_equations()) return reason;
+    if (auto reason = read_equations()) return reason;
     if (fixed_.size() != 3) return "there are not three fixed discs";
     for (std::size_t i = 0; i < 3; ++i) {
       if (!are_tangent(fixed_[i], fixed_[(i + 1) % 3])) return "the fixed discs are not tangent";
     }
-    if (const auto reason = relate_all()) return reason;
+    if (auto reason = relate_all()) return reason;
     return gap_of_box();
   }
 
