@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verifier/json_place.h"
+#include "verifier/miranda.h"
 #include "verifier/proof_replay.h"
 #include "verifier/verifier.h"
 
@@ -31,7 +32,7 @@ class ResultJudge {
   struct Solution {
     Box box;
     std::string claim;
-    std::optional<EnclosedRoot> root;
+    std::optional<EnclosedRoot> root;  ///< a regular one
   };
 
   template <class Judgement>
@@ -43,11 +44,14 @@ class ResultJudge {
   void judge_solution(const JsonPlace& place);
   void judge_complex(const JsonPlace& place);
   void judge_certificate(const JsonPlace& place, Solution& solution);
-  void judge_evidence(const JsonPlace& evidence, const Solution& solution);
+  void judge_all_evidence(const JsonPlace& list, const Solution& solution);
+  std::string judge_evidence(const JsonPlace& evidence, const Solution& solution);
   void judge_multiplicity(const JsonPlace& place, const Solution& solution);
   void judge_point(const JsonPlace& place, const Solution& solution);
   void judge_residual(const JsonPlace& residual, const std::vector<double>& point);
   void judge_inequalities(const JsonPlace& place, const Solution& solution);
+  /// Where its root is known to lie.
+  static RangeBox place_of(const Solution& solution);
   void judge_distinct(const JsonPlace& solutions);
   void judge_undecided(const JsonPlace& place);
   void note_unchecked(const JsonPlace& result);
@@ -57,6 +61,7 @@ class ResultJudge {
   JudgedSystem* judged_;
   VerificationReport* report_;
   RootProver prover_;
+  Miranda miranda_;
   ListedResult listed_;
   std::vector<Solution> solutions_;
   std::map<std::string, std::uint64_t> counts_;
