@@ -16,6 +16,7 @@
 #include "experiments/provenance.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/solve_run.h"
+#include "experiments/solving/system_methods.h"
 #include "experiments/tasks/memory_use.h"
 #include "experiments/tasks/stopwatch.h"
 
@@ -43,7 +44,7 @@ Json method_json(const Settings& settings, const Options& options) {
   for (const auto& [name, value] : options.values()) values[name] = to_string(value);
   return {{"name", settings.method},
           {"options", values},
-          {"version", solver_method_registry().at(settings.method).version}};
+          {"version", system_method_registry().at(settings.method).version}};
 }
 
 /// The result of the contract.
@@ -59,6 +60,7 @@ Json result_json(const Settings& settings, const SystemFunctions& functions, con
                  {"undecided", undecided_json(outcome.search)},
                  {"statistics", statistics},
                  {"provenance", provenance(settings.seed, utc_now())}};
+  if (!outcome.reason.empty()) result["reason"] = outcome.reason;
   seal(result);
   return result;
 }
@@ -81,7 +83,8 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
                                            : fmt::format("{:.17g}", solution["point"][i].get<double>());
       line += fmt::format("{}{} = {}", i == 0 ? "" : ", ", names[i], value);
     }
-    fmt::print("  {}\n", line);
+    const bool is_single = solution["certificate"]["claim"] == "unique";
+    fmt::print("  {}{}\n", line, is_single ? "" : " (a root exists near, perhaps more than one)");
   }
 }
 
@@ -128,14 +131,27 @@ void check_outputs(const Settings& settings) {
   }
 }
 
+/// What a program of others cannot be asked for.
+void check_asked(const Settings& settings, const SystemMethod& method) {
+  if (!method.is_peer) return;
+  for (const auto& [option, value] : {std::pair("--proof", settings.proof),
+                                      {"--pending", settings.pending},
+                                      {"--resume", settings.resume}}) {
+    if (!value.empty())
+      throw InputError(fmt::format("{}: not with {}, which is a program of others", option, method.name));
+  }
+}
+
 int run(const Settings& settings) {
   Problem problem = load_system(settings.problem);
   if (!settings.box.empty())
     problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
-  const SolverMethod& method = solver_method_registry().at(settings.method);
+  const SystemMethod& method = system_method_registry().at(settings.method);
   SolveSettings solve{settings.method,
-                      Options(method.options(), option_texts(settings.options), settings.method)};
+                      Options(method.options, option_texts(settings.options), settings.method)};
+  check_asked(settings, method);
   solve.threads = settings.threads;
+  if (settings.memory_mb > 0) solve.memory_mb = settings.memory_mb;
   check_outputs(settings);
   const std::string hash = problem_content_hash(Corpus::standard().problem_path(settings.problem));
   const SystemFunctions functions(problem.system);
@@ -158,6 +174,7 @@ int run(const Settings& settings) {
     if (!settings.json.empty()) write_file_atomically(settings.json, result.dump(1) + "\n");
     print_summary(settings, functions, result);
   }
+  if (!outcome.reason.empty()) fmt::print(stderr, "gcslab: {}\n", outcome.reason);
   return exit_code_of(outcome.status);
 }
 

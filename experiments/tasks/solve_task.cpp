@@ -1,9 +1,11 @@
 #include "experiments/tasks/solve_task.h"
 
-#include "box_solver/solver_method.h"
+#include <algorithm>
+
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/solve_run.h"
+#include "experiments/solving/system_methods.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/stopwatch.h"
 
@@ -13,9 +15,8 @@ std::string SolveTask::summary() const { return "every real solution of a system
 
 std::vector<MethodInfo> SolveTask::methods() const {
   std::vector<MethodInfo> methods;
-  for (const SolverMethod& method : solver_method_registry().entries()) {
-    methods.push_back({method.name, method.summary, Promise::rigorous, method.version, method.options()});
-  }
+  for (const SystemMethod& method : system_method_registry().entries())
+    methods.push_back({method.name, method.summary, method.promise, method.version, method.options});
   return methods;
 }
 
@@ -25,7 +26,9 @@ std::vector<OptionSpec> SolveTask::parameters() const {
 }
 
 std::vector<ValueInfo> SolveTask::values() const {
-  return {{"solutions", "certified solutions", "solutions"},
+  return {{"solutions", "certified solutions, each alone in its box", "solutions"},
+          {"existing", "boxes proved to contain a solution, single or not", "boxes"},
+          {"unproved", "solutions that a program of others found, without certificate", "solutions"},
           {"known_solutions", "solutions in the box that are known by other means", "solutions"},
           {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
           {"boxes", "boxes taken from the list", "boxes"},
@@ -35,6 +38,25 @@ std::vector<ValueInfo> SolveTask::values() const {
 std::vector<std::string> SolveTask::problem_kinds() const { return system_kinds(); }
 
 void SolveTask::check(const Job& job) const { static_cast<void>(load_system(job.problem)); }
+
+namespace {
+
+std::ptrdiff_t number_of(const SearchResult& found, Claim claim) {
+  return std::ranges::count(found.solutions, claim, &Solution::claim);
+}
+
+void add_values(const Problem& problem, const SolveOutcome& found, JobResult& result) {
+  result.values["solutions"] = number_of(found.search, Claim::unique);
+  result.values["existing"] = number_of(found.search, Claim::exists);
+  result.values["unproved"] = number_of(found.search, Claim::none);
+  if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
+  result.values["undecided"] = found.search.undecided.size();
+  if (found.status == Status::budget_exhausted) return;  // the counts would depend on the machine
+  result.values["boxes"] = found.search.statistics.boxes;
+  result.values["bisections"] = found.search.statistics.bisections;
+}
+
+}  // namespace
 
 JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   const Problem problem = load_system(job.problem);
@@ -49,13 +71,11 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   result.timings["wall_s"] = watch.wall_s();
   result.timings["cpu_s"] = watch.cpu_s();
   result.status = found.status;
-  if (found.status == Status::budget_exhausted) result.reason = "boxes were left when the budget ended";
-  result.values["solutions"] = found.search.solutions.size();
-  if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
-  result.values["undecided"] = found.search.undecided.size();
-  if (found.status == Status::budget_exhausted) return result;  // the counts would depend on the machine
-  result.values["boxes"] = found.search.statistics.boxes;
-  result.values["bisections"] = found.search.statistics.bisections;
+  result.reason = found.reason;
+  if (result.reason.empty() && found.status == Status::budget_exhausted)
+    result.reason = "boxes were left when the budget ended";
+  if (found.status == Status::not_applicable || found.status == Status::failed) return result;
+  add_values(problem, found, result);
   return result;
 }
 
