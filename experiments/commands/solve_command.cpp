@@ -63,6 +63,7 @@ Json result_json(const Settings& settings, const SystemFunctions& functions, con
                  {"undecided", undecided_json(outcome.search)},
                  {"statistics", statistics},
                  {"provenance", provenance(settings.seed, utc_now())}};
+  if (!outcome.reason.empty()) result["reason"] = outcome.reason;
   seal(result);
   return result;
 }
@@ -86,7 +87,9 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
       line += fmt::format("{}{} = {}", i == 0 ? "" : ", ", names[i], value);
     }
     const int multiplicity = solution.value("multiplicity", 1);
-    fmt::print("  {}{}\n", line, multiplicity > 1 ? fmt::format(" (multiplicity {})", multiplicity) : "");
+    const bool is_alone = solution["certificate"]["claim"] != "exists";
+    fmt::print("  {}{}{}\n", line, multiplicity > 1 ? fmt::format(" (multiplicity {})", multiplicity) : "",
+               is_alone ? "" : " (a root exists near, perhaps more than one)");
   }
 }
 
@@ -155,6 +158,16 @@ class Picture {
   std::array<std::size_t, 2> variables_{};
   SearchRecord record_{kDrawnBoxes};
 };
+/// What a program of others cannot be asked for.
+void check_asked(const Settings& settings, const SolveMethod& method) {
+  if (!method.is_peer) return;
+  for (const auto& [option, value] : {std::pair("--proof", settings.proof),
+                                      {"--pending", settings.pending},
+                                      {"--resume", settings.resume}}) {
+    if (!value.empty())
+      throw InputError(fmt::format("{}: not with {}, which is a program of others", option, method.name));
+  }
+}
 
 int run(const Settings& settings) {
   Problem problem = load_system(settings.problem);
@@ -163,7 +176,9 @@ int run(const Settings& settings) {
   const SolveMethod& method = solve_method_registry().at(settings.method);
   SolveSettings solve{settings.method,
                       Options(method.options, option_texts(settings.options), settings.method)};
+  check_asked(settings, method);
   solve.threads = settings.threads;
+  if (settings.memory_mb > 0) solve.memory_mb = settings.memory_mb;
   check_outputs(settings);
   Picture picture(settings, problem);
   solve.record = picture.record();
@@ -188,6 +203,7 @@ int run(const Settings& settings) {
     if (!settings.json.empty()) write_file_atomically(settings.json, result.dump(1) + "\n");
     print_summary(settings, functions, result);
   }
+  if (!outcome.reason.empty()) fmt::print(stderr, "gcslab: {}\n", outcome.reason);
   picture.write(problem, outcome.search, settings.method);
   return exit_code_of(outcome.status);
 }

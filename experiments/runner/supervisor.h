@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/runner/child_process.h"
+#include "experiments/process/child_process.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/task.h"
 

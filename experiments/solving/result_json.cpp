@@ -79,21 +79,33 @@ SystemFunctions with_simple_root(const SystemFunctions& functions, const Certifi
   return SystemFunctions(std::move(system));
 }
 
+/// What a proof of uniqueness says beside the claim, or that there is none.
+void add_isolation(Json& entry, const Solution& solution) {
+  if (solution.claim != Claim::unique) {
+    entry["isolated"] = "unknown";
+    return;
+  }
+  entry["uniqueness_box"] = box_to_json(solution.root.uniqueness_box);
+  entry["multiplicity"] = solution.root.multiplicity;
+  entry["isolated"] = "proved";
+}
+
 Json solution_json(const SystemFunctions& functions, const Solution& solution, int bits) {
   std::vector<double> point;
   for (const Interval& side : solution.root.box) point.push_back(midpoint(side));
-  Json entry = {{"point", point},
-                {"box", box_to_json(solution.root.box)},
-                {"kind", "real"},
-                {"residual", residual(functions, point)},
-                {"certificate", {{"claim", "unique"}, {"evidence", evidence_json(solution.root)}}},
-                {"uniqueness_box", box_to_json(solution.root.uniqueness_box)},
-                {"multiplicity", solution.root.multiplicity},
-                {"isolated", "proved"}};
+  Json entry = {
+      {"point", point},
+      {"box", box_to_json(solution.root.box)},
+      {"kind", "real"},
+      {"residual", residual(functions, point)},
+      {"certificate",
+       {{"claim", std::string(name_of(solution.claim))}, {"evidence", evidence_json(solution.root)}}}};
+  add_isolation(entry, solution);
   if (!functions.inequalities().empty()) {
     entry["inequalities"] = solution.inequalities == InequalityState::proved ? "proved" : "undecided";
   }
-  if (bits > 53) add_digits(entry, with_simple_root(functions, solution.root), solution.root, bits);
+  if (bits > 53 && solution.claim == Claim::unique)
+    add_digits(entry, with_simple_root(functions, solution.root), solution.root, bits);
   return entry;
 }
 

@@ -27,6 +27,7 @@ std::vector<SolveMethod> all_methods() {
                        &SolverMethod::promise});
   methods.push_back(univariate_method());
   methods.push_back(angle_sum_method());
+  for (SolveMethod& peer : peer_methods()) methods.push_back(std::move(peer));
   return methods;
 }
 

@@ -21,6 +21,7 @@ struct SolveMethod {
       solve;
   /// Rigorous, unless an option asks for a baseline; empty: always rigorous.
   std::function<Promise(const Options&)> promise{};
+  bool is_peer = false;  ///< a program of others: it writes no proof and cannot be resumed
 };
 
 const Registry<SolveMethod>& solve_method_registry();
@@ -31,5 +32,6 @@ Status status_of(const SearchResult& found, Promise promise);
 // The methods that are no settings of the engine.
 SolveMethod univariate_method();
 SolveMethod angle_sum_method();
+std::vector<SolveMethod> peer_methods();
 
 }  // namespace gcslab

@@ -18,6 +18,23 @@ bool can_be_drawn(const Box& box) {
   return (box.size() == 2 || box.size() == 3) && std::ranges::all_of(box, is_bounded);
 }
 
+std::ptrdiff_t number_of(const SearchResult& found, Claim claim) {
+  return std::ranges::count(found.solutions, claim, &Solution::claim);
+}
+
+void add_values(const Problem& problem, const SystemFunctions& functions, const SolveOutcome& found,
+                JobResult& result) {
+  result.values["solutions"] = number_of(found.search, Claim::unique);
+  result.values["existing"] = number_of(found.search, Claim::exists);
+  result.values["unproved"] = number_of(found.search, Claim::none);
+  if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
+  result.values["unknowns"] = functions.variables();
+  result.values["undecided"] = found.search.undecided.size();
+  if (found.status == Status::budget_exhausted) return;  // the counts would depend on the machine
+  result.values["boxes"] = found.search.statistics.boxes;
+  result.values["bisections"] = found.search.statistics.bisections;
+}
+
 void tell_recorded(const SearchRecord& record, JobResult& result) {
   if (!record.is_whole()) return;
   int reductions = 0;
@@ -49,7 +66,9 @@ std::vector<OptionSpec> SolveTask::parameters() const {
 }
 
 std::vector<ValueInfo> SolveTask::values() const {
-  return {{"solutions", "certified solutions", "solutions"},
+  return {{"solutions", "certified solutions, each alone in its box", "solutions"},
+          {"existing", "boxes proved to contain a solution, single or not", "boxes"},
+          {"unproved", "solutions that a program of others found, without certificate", "solutions"},
           {"known_solutions", "solutions in the box that are known by other means", "solutions"},
           {"unknowns", "variables of the system", "variables"},
           {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
@@ -80,15 +99,13 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   result.timings["wall_s"] = watch.wall_s();
   result.timings["cpu_s"] = watch.cpu_s();
   result.status = found.status;
-  if (found.status == Status::budget_exhausted) result.reason = "boxes were left when the budget ended";
-  result.values["solutions"] = found.search.solutions.size();
-  if (problem.known.real_solutions) result.values["known_solutions"] = *problem.known.real_solutions;
-  result.values["unknowns"] = functions.variables();
-  result.values["undecided"] = found.search.undecided.size();
-  if (found.status == Status::budget_exhausted) return result;  // the counts would depend on the machine
+  result.reason = found.reason;
+  if (result.reason.empty() && found.status == Status::budget_exhausted)
+    result.reason = "boxes were left when the budget ended";
+  if (found.status == Status::not_applicable || found.status == Status::failed) return result;
+  add_values(problem, functions, found, result);
+  if (found.status == Status::budget_exhausted) return result;
   result.artifact = packing_drawing(problem.name, functions, found.search);
-  result.values["boxes"] = found.search.statistics.boxes;
-  result.values["bisections"] = found.search.statistics.bisections;
   if (is_recorded) {
     tell_recorded(record, result);
     result.artifact = to_json(search_picture(functions.system().box, record, found.search));

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -16,20 +15,11 @@
 
 #include "base/option.h"
 #include "base/outcome.h"
+#include "experiments/process/limits.h"
 
 namespace gcslab {
 
 struct JobResult;  // tasks/job_result.h
-
-/// What one job may use. Wall and CPU time are for one repetition; a job that has to be stopped by force is
-/// stopped a little later than `repetitions` times that.
-struct Limits {
-  double wall_s = 60.0;
-  double cpu_s = std::numeric_limits<double>::infinity();  ///< of all threads together; infinite: not limited
-  double memory_mb = 2000.0;                               ///< resident memory, 1 MB = 10^6 bytes
-
-  bool operator==(const Limits&) const = default;
-};
 
 /// One question: a problem, a method and all settings. Every declared option and parameter has a value.
 struct Job {

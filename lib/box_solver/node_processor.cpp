@@ -6,8 +6,6 @@
 namespace gcslab {
 namespace {
 
-constexpr int kDoubleBits = 53;
-
 SystemEvaluator<FastInterval> made_in_scope(const SystemFunctions& functions) {
   const NumberTraits<FastInterval>::Scope scope;
   return SystemEvaluator<FastInterval>(functions);
@@ -22,18 +20,21 @@ bool is_subset(const Box& a, const Box& b) {
 
 }  // namespace
 
+std::vector<double> variable_scales(const Box& search_box) {
+  std::vector<double> scales;
+  for (const Interval& side : search_box)
+    scales.push_back(is_bounded(side) && width(side) > 0 ? std::min(radius(side), 1.0) : 1);
+  return scales;
+}
+
 PrecisionLevel::PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor,
-                               const std::vector<double>& scales, int bits)
+                               const std::string& certifier, const std::vector<double>& scales, int bits)
     : contractor_(make_contractor(functions, bits)) {
-  if (functions.is_square()) certifier_.emplace(functions, scales, bits);
+  if (functions.is_square()) certifier_ = make_root_certifier(certifier, functions, scales, bits);
 }
 
 std::optional<CertifiedRoot> PrecisionLevel::certify(const Box& box) {
-  if (!certifier_) return std::nullopt;
-  ApproximateRoot approximate;
-  std::optional<CertifiedRoot> root = certifier_->certify_box(box, approximate);
-  if (root) certifier_->enlarge_uniqueness(*root, approximate, box);
-  return root;
+  return certifier_ == nullptr ? std::nullopt : certifier_->certify_box(box);
 }
 
 NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search_box,
@@ -41,20 +42,20 @@ NodeProcessor::NodeProcessor(const SystemFunctions& functions, const Box& search
     : functions_(&functions),
       make_contractor_(&make_contractor),
       options_(&options),
+      scales_(variable_scales(search_box)),
       contractor_(make_contractor(functions, kDoubleBits)),
       bisection_(bisection_registry().at(options.bisection).make(functions)),
       evaluator_(made_in_scope(functions)),
       jacobian_(functions.equations().size(), functions.variables()) {
   for (const Interval& side : search_box) {
     const double size = is_bounded(side) ? magnitude(side) : 1;
-    scales_.push_back(is_bounded(side) && width(side) > 0 ? std::min(radius(side), 1.0) : 1);
     const bool is_cover = functions.constraints() < functions.variables();
     least_width_.push_back(is_cover && is_bounded(side) ? options.cover_resolution * width(side) : 0);
     least_magnitude_.push_back(1e-3 * std::min(size, 1.0));
   }
   if (functions.is_square()) {
     newton_.emplace(functions, scales_);
-    certifier_.emplace(functions, scales_, kDoubleBits);
+    certifier_ = make_root_certifier(options.certifier, functions, scales_, kDoubleBits);
   }
 }
 
@@ -118,7 +119,8 @@ bool NodeProcessor::escalate(NodeOutcome& outcome) {
   int bits = 2 * 64;
   for (std::size_t level = 0; bits <= options_->maximum_bits; ++level, bits *= 2) {
     if (levels_.size() <= level)
-      levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, scales_, bits));
+      levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, options_->certifier,
+                                                         scales_, bits));
     const Box before = outcome.box;
     if (!levels_[level]->contractor().contract(outcome.box, outcome.trace)) return false;
     outcome.found = levels_[level]->certify(outcome.box);
@@ -139,11 +141,10 @@ bool NodeProcessor::is_excluded(NodeOutcome& outcome, const std::vector<Exclusio
 }
 
 void NodeProcessor::find_root(NodeOutcome& outcome) {
-  if (!certifier_ || !std::ranges::all_of(outcome.box, is_bounded)) return;
+  if (certifier_ == nullptr || !std::ranges::all_of(outcome.box, is_bounded)) return;
   const std::optional<ApproximateRoot> approximate = newton_->run(outcome.box);
   if (!approximate) return;
-  outcome.found = certifier_->certify(*approximate);
-  if (outcome.found) certifier_->enlarge_uniqueness(*outcome.found, *approximate, outcome.box);
+  outcome.found = certifier_->certify(*approximate, outcome.box);
 }
 
 bool NodeProcessor::is_open(std::size_t variable, const Interval& side) const {

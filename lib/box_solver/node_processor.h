@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "box_solver/search.h"
-#include "certification/krawczyk_certifier.h"
+#include "certification/root_certifier.h"
 #include "interval/fast_interval.h"
-#include "interval/mpfr_interval.h"
 
 namespace gcslab {
+
+inline constexpr int kDoubleBits = 53;
+
+/// The sizes of the variables: the radii of the search box, at most 1.
+std::vector<double> variable_scales(const Box& search_box);
 
 /// A box of the search with what strategies want to know of its past.
 struct SearchNode {
@@ -53,14 +57,14 @@ struct NodeOutcome {
 class PrecisionLevel {
  public:
   PrecisionLevel(const SystemFunctions& functions, const ContractorMaker& make_contractor,
-                 const std::vector<double>& scales, int bits);
+                 const std::string& certifier, const std::vector<double>& scales, int bits);
 
   Contractor& contractor() { return *contractor_; }
   std::optional<CertifiedRoot> certify(const Box& box);
 
  private:
   std::unique_ptr<Contractor> contractor_;
-  std::optional<KrawczykCertifier<MpfrInterval>> certifier_;
+  std::unique_ptr<RootCertifier> certifier_;  ///< square systems
 };
 
 class NodeProcessor {
@@ -85,13 +89,13 @@ class NodeProcessor {
   const SystemFunctions* functions_;
   const ContractorMaker* make_contractor_;
   const SearchOptions* options_;
-  std::vector<double> scales_;           ///< of the variables: the radii of the search box, at most 1
+  std::vector<double> scales_;           ///< of the variables
   std::vector<double> least_width_;      ///< narrower sides of a cover are not cut
   std::vector<double> least_magnitude_;  ///< of a variable, for its resolution
   std::unique_ptr<Contractor> contractor_;
   std::unique_ptr<Bisection> bisection_;
-  std::optional<NewtonIteration> newton_;  ///< square systems
-  std::optional<KrawczykCertifier<FastInterval>> certifier_;
+  std::optional<NewtonIteration> newton_;     ///< square systems
+  std::unique_ptr<RootCertifier> certifier_;  ///< square systems
   SystemEvaluator<FastInterval> evaluator_;
   Matrix<FastInterval> jacobian_;
   std::vector<std::unique_ptr<PrecisionLevel>> levels_;  ///< made when first needed

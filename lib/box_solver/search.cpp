@@ -6,6 +6,7 @@
 #include "box_solver/inequality_check.h"
 #include "box_solver/node_processor.h"
 #include "box_solver/worker_pool.h"
+#include "certification/root_certifier.h"
 
 namespace gcslab {
 namespace {
@@ -27,6 +28,8 @@ bool is_subset(const Box& a, const Box& b) {
   return true;
 }
 
+constexpr const char* kContainsRoot = "contains a root, which is listed, but perhaps others too";
+
 /// Largest relative side: what best-first search takes first.
 double measure_of(const Box& box, const Box& search_box) {
   double largest = 0;
@@ -41,7 +44,11 @@ class Search {
  public:
   Search(const SystemFunctions& functions, const Box& search_box, const ContractorMaker& make_contractor,
          const SearchOptions& options)
-      : search_box_(search_box), options_(options), inequalities_(functions), pool_(options.threads, [&] {
+      : functions_(functions),
+        search_box_(search_box),
+        options_(options),
+        inequalities_(functions),
+        pool_(options.threads, [&] {
           return std::make_unique<NodeProcessor>(functions, search_box, make_contractor, options);
         }) {}
 
@@ -68,6 +75,7 @@ class Search {
     if (options_.proof != nullptr) options_.proof->finish();
     result_.roots = std::move(roots_);
     result_.undecided = clustered(std::move(result_.undecided), search_box_);
+    list_existing(stop);
     return std::move(result_);
   }
 
@@ -214,6 +222,29 @@ class Search {
     if (options_.proof != nullptr) options_.proof->root(number, root);
   }
 
+  /// Lists a root of each undecided box in which one is proved to exist, apart from all that are listed.
+  void list_existing(const std::stop_token& stop) {
+    if (!functions_.is_square() || result_.undecided.empty()) return;
+    const auto certifier =
+        make_root_certifier(options_.certifier, functions_, variable_scales(search_box_), kDoubleBits);
+    for (UndecidedBox& entry : result_.undecided) {
+      if (stop.stop_requested()) return;
+      const std::optional<Evidence> evidence = certifier->prove_existence(entry.box);
+      if (!evidence || !meet(evidence->box, search_box_) || is_listed_near(evidence->box)) continue;
+      const auto state = inequalities_.at(evidence->box);
+      if (!state) continue;
+      entry.reason = kContainsRoot;
+      result_.solutions.push_back({{evidence->box, {}, {*evidence}}, *state, Claim::exists});
+    }
+  }
+
+  bool is_listed_near(const Box& box) const {
+    const auto is_near = [&](const Box& other) { return meet(box, other); };
+    return std::ranges::any_of(result_.roots, is_near, &CertifiedRoot::box) ||
+           std::ranges::any_of(result_.solutions, [&](const Solution& s) { return is_near(s.root.box); });
+  }
+
+  const SystemFunctions& functions_;
   const Box& search_box_;
   const SearchOptions& options_;
   InequalityCheck inequalities_;

@@ -3,7 +3,9 @@
 // The branch-and-prune engine: contract a box, certify a root in it, or cut it in two.
 //
 // Promise: every solution of the system in the search box lies in the box of a listed solution or in an
-// undecided box. Each listed solution is certified, and no two are the same root. The answer does not depend
+// undecided box. Each listed solution is certified, and no two are the same root. Where no more is proved of
+// an undecided box than that a root exists in it, a solution of the claim `exists` is listed beside it: it
+// settles nothing, since there may be more roots. The answer does not depend
 // on the number of threads: boxes are taken in batches of one size, each is worked on with what was known
 // when its batch began, and the findings are taken in order.
 
@@ -26,6 +28,7 @@ enum class Order { depth_first, best_first };
 
 struct SearchOptions {
   std::string bisection = "relative_smear_sum";
+  std::string certifier = "krawczyk_slopes";  ///< composition of root_certifier.h
   Order order = Order::depth_first;
   double resolution = 1e-13;           ///< sides narrower than this part of their magnitude are not cut
   double cover_resolution = 1.0 / 64;  ///< the same for systems with fewer equations than variables, as part
@@ -42,8 +45,9 @@ struct SearchOptions {
 enum class InequalityState { proved, undecided };
 
 struct Solution {
-  CertifiedRoot root;
+  CertifiedRoot root;  ///< for the claim `exists` without uniqueness: that box is empty
   InequalityState inequalities = InequalityState::proved;
+  Claim claim = Claim::unique;  ///< or `exists`
 };
 
 struct UndecidedBox {
@@ -59,7 +63,7 @@ struct SearchStatistics {
 
 struct SearchResult {
   std::vector<CertifiedRoot> roots;     ///< all that were proved, in the search box or near it
-  std::vector<Solution> solutions;      ///< those of them that are solutions
+  std::vector<Solution> solutions;      ///< those of them that are solutions, then what only exists
   std::vector<UndecidedBox> undecided;  ///< searched down to the resolution; touching ones as their hull
   std::vector<Box> pending;             ///< not searched when the budget ended
   SearchStatistics statistics;

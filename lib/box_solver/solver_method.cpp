@@ -1,5 +1,6 @@
 #include "box_solver/solver_method.h"
 
+#include "certification/root_certifier.h"
 #include "linear_program/lp_registry.h"
 
 namespace gcslab {
@@ -9,6 +10,12 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+std::vector<std::string> names_of_certifiers() {
+  std::vector<std::string> names;
+  for (const CertifierName& entry : certifier_names()) names.push_back(entry.name);
+  return names;
 }
 
 }  // namespace
@@ -30,6 +37,11 @@ std::vector<OptionSpec> SolverMethod::options() const {
                     "dual", {"dual", "exact", "tolerance", "unprotected"}),
       choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
                     bisection_registry().names()),
+      OptionSpec{"certifier",
+                 "what proves roots: names joined by +, which together must show that a root exists and that "
+                 "it is alone; of " +
+                     joined(names_of_certifiers()),
+                 SearchOptions().certifier},
       choice_option("order", "which box is taken next", "depth_first", {"depth_first", "best_first"}),
       real_option("fixpoint_ratio", "contract again while a round shrinks some side by this part of it", "",
                   0.2, 1e-3, 1),
@@ -100,6 +112,8 @@ ContractorMaker contractor_maker(const Options& options) {
 SearchOptions search_options(const Options& options) {
   SearchOptions result;
   result.bisection = options.word("bisection");
+  result.certifier = options.word("certifier");
+  check_certifier(result.certifier);
   result.order = options.word("order") == "best_first" ? Order::best_first : Order::depth_first;
   result.resolution = options.real("resolution");
   result.cover_resolution = options.real("cover_resolution");

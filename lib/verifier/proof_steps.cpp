@@ -27,7 +27,8 @@ bool ProofReplay::read_step(std::string_view word) {
       if (!is_bounded(side)) reader_->refuse("the box is unbounded: it has no midpoint to expand about");
     }
     part_.expansion = judge_.expansion_about(part_.box);
-  } else if (word == "expansion_row" || word == "square_row" || word == "mean_value_row") {
+  } else if (word == "expansion_row" || word == "square_row" || word == "mean_value_row" ||
+             word == "bernstein_row") {
     read_row(word);
   } else if (word == "polytope") {
     read_polytope();
@@ -81,10 +82,14 @@ void ProofReplay::read_row(std::string_view word) {
   const std::size_t variable = read_claim(claim);
   reader_->end_line();
   if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
+  if (word == "bernstein_row" && !judge_.bernstein_refusal().empty())
+    reader_->refuse(judge_.bernstein_refusal());
   const Range proved =
-      word == "mean_value_row" ? judge_.mean_value_row(part_.expansion, variable, multipliers_, part_.box)
-      : word == "square_row"   ? judge_.square_row(part_.expansion, variable, multipliers_, part_.box)
-                               : judge_.expansion_row(part_.expansion, variable, multipliers_, part_.box);
+      word == "bernstein_row"
+          ? judge_.bernstein_row(part_.expansion, variable, multipliers_, claim, part_.box)
+      : word == "mean_value_row" ? judge_.mean_value_row(part_.expansion, variable, multipliers_, part_.box)
+      : word == "square_row"     ? judge_.square_row(part_.expansion, variable, multipliers_, part_.box)
+                                 : judge_.expansion_row(part_.expansion, variable, multipliers_, part_.box);
   take_claim(variable, claim, proved);
 }
 

@@ -6,10 +6,30 @@
 #include "verifier/box_relations.h"
 
 namespace gcslab::verifier {
+namespace {
+
+/// What each theorem shows.
+const std::map<std::string, std::string>& claims_of_theorems() {
+  static const std::map<std::string, std::string> claims = {{"krawczyk", "unique"},
+                                                            {"interval_newton", "unique"},
+                                                            {"kantorovich", "unique"},
+                                                            {"descartes", "unique"},
+                                                            {"miranda", "exists"},
+                                                            {"elber_kim", "at_most_one"},
+                                                            {"slope_regularity", "at_most_one"}};
+  return claims;
+}
+
+}  // namespace
 
 ResultJudge::ResultJudge(const EquationSystem& system, const Box& search_box, JudgedSystem& judged,
                          VerificationReport& report)
-    : system_(&system), search_box_(&search_box), judged_(&judged), report_(&report), prover_(judged) {
+    : system_(&system),
+      search_box_(&search_box),
+      judged_(&judged),
+      report_(&report),
+      prover_(judged),
+      miranda_(judged) {
   if (judged.variables() != 1 || judged.equations().size() != 1) return;
   const std::optional<PolynomialTerms>& terms = judged.equations()[0].polynomial;
   if (terms && !terms->empty()) counter_.emplace(*terms);
@@ -85,10 +105,12 @@ void ResultJudge::judge_certificate(const JsonPlace& place, Solution& solution) 
     return;
   }
   solution.root = enclosed_root(solution.box);
-  if (!solution.root) place.at("box").refuse("is not proved to contain a root");
+  if (!solution.root && (solution.claim == "unique" || !miranda_.contains_root(solution.box)))
+    place.at("box").refuse("is not proved to contain a root");
   count("solutions: the box contains a root");
   const std::optional<JsonPlace> uniqueness = place.find("uniqueness_box");
   if (solution.claim == "unique" || uniqueness) {
+    if (!solution.root) uniqueness->refuse("is not proved to contain no other root");
     const Box widest = uniqueness ? uniqueness->box(judged_->variables()) : solution.box;
     const JsonPlace where = uniqueness ? *uniqueness : place.at("box");
     if (!is_subset(solution.box, widest)) where.refuse("does not contain the box of the solution");
@@ -96,9 +118,8 @@ void ResultJudge::judge_certificate(const JsonPlace& place, Solution& solution) 
     count("solutions: the uniqueness box contains no other root");
     listed_.roots.push_back({*solution.root, widest});
   }
-  if (const auto evidence = certificate.find("evidence")) {
-    for (const JsonPlace& item : evidence->items()) attempt([&] { judge_evidence(item, solution); });
-  }
+  if (const auto evidence = certificate.find("evidence"))
+    attempt([&] { judge_all_evidence(*evidence, solution); });
 }
 
 /// A root in the box; a multiple one is proved to be the only one there by counting.
@@ -122,17 +143,36 @@ void ResultJudge::count_roots() {
   if (report_->completeness_proved) count("completeness: no roots beside those in the boxes, by counting");
 }
 
-/// One theorem applied to one box: the verifier proves the claim, by its own theorem.
-void ResultJudge::judge_evidence(const JsonPlace& evidence, const Solution& solution) {
-  evidence.at("type").text();
+/// Where evidence is given it must amount to the claim.
+void ResultJudge::judge_all_evidence(const JsonPlace& list, const Solution& solution) {
+  bool shows_existence = false;
+  bool shows_uniqueness = false;
+  for (const JsonPlace& item : list.items()) {
+    const std::string claim = judge_evidence(item, solution);
+    shows_existence = shows_existence || claim != "at_most_one";
+    shows_uniqueness = shows_uniqueness || claim != "exists";
+  }
+  if (list.items().empty()) return;
+  if (!shows_existence) list.refuse("does not show that a root exists");
+  if (solution.claim == "unique" && !shows_uniqueness) list.refuse("does not show that the root is alone");
+}
+
+/// One theorem applied to one box: the verifier proves the claim, by its own theorem. Returns the claim.
+std::string ResultJudge::judge_evidence(const JsonPlace& evidence, const Solution& solution) {
+  const JsonPlace type = evidence.at("type");
+  const auto theorem = claims_of_theorems().find(type.text());
+  if (theorem == claims_of_theorems().end()) type.refuse("is no theorem that is known here");
   const std::string claim = evidence.at("claim").word({"unique", "exists", "at_most_one"});
+  if (claim != theorem->second) evidence.at("claim").refuse("is not what this theorem shows");
   const JsonPlace place = evidence.at("box");
   const Box box = place.box(judged_->variables());
-  if (claim != "at_most_one" && !is_within(solution.root->enclosure, box))
-    place.refuse("is not proved to contain the root");
-  if (claim != "exists" && !has_no_other(box, *solution.root))
+  const bool is_there =
+      solution.root ? is_within(solution.root->enclosure, box) : miranda_.contains_root(box);
+  if (claim != "at_most_one" && !is_there) place.refuse("is not proved to contain the root");
+  if (claim != "exists" && !(solution.root && has_no_other(box, *solution.root)))
     place.refuse("is not proved to contain no other root");
   count("solutions: evidence");
+  return claim;
 }
 
 void ResultJudge::judge_multiplicity(const JsonPlace& place, const Solution& solution) {
@@ -196,7 +236,7 @@ void ResultJudge::judge_inequalities(const JsonPlace& place, const Solution& sol
   const auto state = place.find("inequalities");
   if (state) state->word({"proved", "undecided"});
   const bool claims = state && state->text() == "proved";
-  const RangeBox where = solution.root ? solution.root->enclosure : ranges_of(solution.box);
+  const RangeBox where = place_of(solution);
   for (JudgedFunction& inequality : judged_->inequalities()) {
     const Range value = inequality.program.evaluate(where);
     if (value.is_empty() || mpfr_sgn(value.lower()) > 0) place.refuse("violates an inequality");
@@ -206,11 +246,15 @@ void ResultJudge::judge_inequalities(const JsonPlace& place, const Solution& sol
   }
 }
 
+RangeBox ResultJudge::place_of(const Solution& solution) {
+  return solution.root ? solution.root->enclosure : ranges_of(solution.box);
+}
+
 void ResultJudge::judge_distinct(const JsonPlace& solutions) {
   for (std::size_t i = 0; i < solutions_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!solutions_[i].root || !solutions_[j].root) continue;
-      if (!are_apart(solutions_[i].root->enclosure, solutions_[j].root->enclosure)) {
+      if (solutions_[i].claim == "none" || solutions_[j].claim == "none") continue;
+      if (!are_apart(place_of(solutions_[i]), place_of(solutions_[j]))) {
         solutions.refuse("lists a root twice: in " + to_string(solutions_[i].box.front()) + " ... and in " +
                          to_string(solutions_[j].box.front()) + " ...");
       }

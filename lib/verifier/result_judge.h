@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "verifier/json_place.h"
+#include "verifier/miranda.h"
 #include "verifier/proof_replay.h"
 #include "verifier/root_counter.h"
 #include "verifier/verifier.h"
@@ -35,7 +36,7 @@ class ResultJudge {
   struct Solution {
     Box box;
     std::string claim;
-    std::optional<EnclosedRoot> root;
+    std::optional<EnclosedRoot> root;  ///< a regular one
   };
 
   template <class Judgement>
@@ -49,11 +50,14 @@ class ResultJudge {
   void judge_certificate(const JsonPlace& place, Solution& solution);
   std::optional<EnclosedRoot> enclosed_root(const Box& box);
   bool has_no_other(const Box& box, const EnclosedRoot& root);
-  void judge_evidence(const JsonPlace& evidence, const Solution& solution);
+  void judge_all_evidence(const JsonPlace& list, const Solution& solution);
+  std::string judge_evidence(const JsonPlace& evidence, const Solution& solution);
   void judge_multiplicity(const JsonPlace& place, const Solution& solution);
   void judge_point(const JsonPlace& place, const Solution& solution);
   void judge_residual(const JsonPlace& residual, const std::vector<double>& point);
   void judge_inequalities(const JsonPlace& place, const Solution& solution);
+  /// Where its root is known to lie.
+  static RangeBox place_of(const Solution& solution);
   void judge_distinct(const JsonPlace& solutions);
   void judge_undecided(const JsonPlace& place);
   void count_roots();
@@ -65,6 +69,7 @@ class ResultJudge {
   VerificationReport* report_;
   RootProver prover_;
   std::optional<RootCounter> counter_;  ///< of one polynomial in one variable
+  Miranda miranda_;
   ListedResult listed_;
   std::vector<Solution> solutions_;
   std::map<std::string, std::uint64_t> counts_;

@@ -29,72 +29,6 @@ Range inflated(const Range& x) {
   return result;
 }
 
-std::size_t largest_pivot(const RealMatrix& matrix, std::size_t column) {
-  std::size_t best = column;
-  for (std::size_t i = column + 1; i < matrix.size(); ++i) {
-    if (mpfr_cmpabs(matrix[i][column].get(), matrix[best][column].get()) > 0) best = i;
-  }
-  return best;
-}
-
-/// row -= factor * other.
-void subtract(std::vector<Real>& row, const Real& factor, const std::vector<Real>& other) {
-  Real product;
-  for (std::size_t j = 0; j < row.size(); ++j) {
-    if (mpfr_zero_p(other[j].get()) != 0) continue;
-    mpfr_mul(product.get(), factor.get(), other[j].get(), MPFR_RNDN);
-    mpfr_sub(row[j].get(), row[j].get(), product.get(), MPFR_RNDN);
-  }
-}
-
-/// Rounds the numbers of a row to multiples of 2^-150 times the largest one. Numbers that ought to be small
-/// integers or 0 become so; linear equations then leave no residual, and exact roots stay exact.
-void settle(std::vector<Real>& row) {
-  mpfr_exp_t largest = mpfr_get_emin();
-  for (const Real& x : row) {
-    if (mpfr_regular_p(x.get()) != 0) largest = std::max(largest, mpfr_get_exp(x.get()));
-  }
-  for (Real& x : row) {
-    if (mpfr_regular_p(x.get()) == 0) continue;
-    mpfr_mul_2si(x.get(), x.get(), 150 - largest, MPFR_RNDN);
-    mpfr_rint(x.get(), x.get(), MPFR_RNDN);
-    mpfr_mul_2si(x.get(), x.get(), largest - 150, MPFR_RNDN);
-  }
-}
-
-/// The approximate inverse by Gauss and Jordan; false for a singular matrix.
-bool invert(RealMatrix matrix, RealMatrix& inverse) {
-  const std::size_t n = matrix.size();
-  inverse.assign(n, std::vector<Real>(n));
-  for (std::size_t i = 0; i < n; ++i) inverse[i][i] = Real(1);
-  for (std::size_t column = 0; column < n; ++column) {
-    const std::size_t pivot = largest_pivot(matrix, column);
-    std::swap(matrix[column], matrix[pivot]);
-    std::swap(inverse[column], inverse[pivot]);
-    if (mpfr_regular_p(matrix[column][column].get()) == 0) return false;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == column || mpfr_zero_p(matrix[i][column].get()) != 0) continue;
-      Real factor;
-      mpfr_div(factor.get(), matrix[i][column].get(), matrix[column][column].get(), MPFR_RNDN);
-      subtract(matrix[i], factor, matrix[column]);
-      subtract(inverse[i], factor, inverse[column]);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (Real& x : inverse[i]) mpfr_div(x.get(), x.get(), matrix[i][i].get(), MPFR_RNDN);
-    settle(inverse[i]);
-  }
-  return true;
-}
-
-RealMatrix middles(const RangeMatrix& matrix) {
-  RealMatrix result(matrix.size());
-  for (std::size_t k = 0; k < matrix.size(); ++k) {
-    for (const Range& entry : matrix[k]) result[k].push_back(middle(entry));
-  }
-  return result;
-}
-
 /// The sum of products of numbers with the middles of ranges.
 Real middle_product(const std::vector<Real>& row, const RangeBox& values) {
   Real sum;
@@ -252,12 +186,52 @@ bool RootProver::is_contracting(const Box& box) const {
 bool RootProver::has_no_other(const Box& box, const EnclosedRoot& root) {
   if (!std::ranges::all_of(box, is_bounded) || !is_within(root.enclosure, box)) return false;
   if (!system_->slopes(ranges_of(box), root.enclosure, slopes_)) return false;
+  return is_regular_from_root(box, root) || is_proved_in_parts(box, root);
+}
+
+/// Whether every matrix of slopes from the root to points of the part is proved regular.
+bool RootProver::is_regular_from_root(const Box& part, const EnclosedRoot& root) {
+  if (!system_->slopes(ranges_of(part), root.enclosure, slopes_)) return false;
   compute_residual(root.inverse);
-  if (is_contracting(box)) return true;
+  if (is_contracting(part)) return true;
   RealMatrix inverse;
   if (!invert(middles(slopes_), inverse)) return false;
   compute_residual(inverse);
-  return is_contracting(box);
+  return is_contracting(part);
+}
+
+bool RootProver::vanishes_nowhere(const RangeBox& part) {
+  return std::ranges::any_of(system_->equations(), [&](JudgedFunction& equation) {
+    const Range& value = equation.program.evaluate(part);
+    return value.is_empty() || !value.contains_zero();
+  });
+}
+
+/// Cuts the box, each time across its longest side in parts of the whole, until every part is proved.
+bool RootProver::is_proved_in_parts(const Box& box, const EnclosedRoot& root) {
+  constexpr int kMaximumParts = 500;
+  std::vector<Box> open = {box};
+  for (int parts = 0; !open.empty(); ++parts) {
+    if (parts == kMaximumParts) return false;
+    Box part = std::move(open.back());
+    open.pop_back();
+    if (vanishes_nowhere(ranges_of(part)) || is_regular_from_root(part, root)) continue;
+    std::size_t longest = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const double length = width(box[i]) > 0 ? width(part[i]) / width(box[i]) : 0;
+      if (length > most) longest = i;
+      most = std::max(most, length);
+    }
+    const double middle = midpoint(part[longest]);
+    if (!(part[longest].lower < middle && middle < part[longest].upper)) return false;
+    Box other = part;
+    part[longest].upper = middle;
+    other[longest].lower = middle;
+    open.push_back(std::move(other));
+    open.push_back(std::move(part));
+  }
+  return true;
 }
 
 }  // namespace gcslab::verifier

@@ -7,17 +7,16 @@
 // c, its inverse C and the box X around it are the verifier's own: Newton's iteration in 256 bits from the
 // middle of the claimed box. Uniqueness: with the slopes S from that root's enclosure to the points of a box
 // U, |I - C S| w < w for a vector w > 0 makes C S regular, so that f(p) = S (p - root) vanishes at no other p
-// of U.
+// of U. Where U is too large for that it is cut into parts, of which each is proved by its own slopes or C,
+// or because an equation vanishes nowhere in it.
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "verifier/judged_system.h"
+#include "verifier/real_matrix.h"
 
 namespace gcslab::verifier {
-
-using RealMatrix = std::vector<std::vector<Real>>;
 
 /// Where exactly one root lies, to many digits.
 struct EnclosedRoot {
@@ -44,6 +43,9 @@ class RootProver {
   std::optional<RangeBox> contracted(const RangeBox& centre, const RealMatrix& inverse);
   bool tighten(RangeBox& box);
   bool is_contracting(const Box& box) const;
+  bool vanishes_nowhere(const RangeBox& part);
+  bool is_regular_from_root(const Box& part, const EnclosedRoot& root);
+  bool is_proved_in_parts(const Box& box, const EnclosedRoot& root);
 
   JudgedSystem* system_;
   RangeMatrix slopes_;

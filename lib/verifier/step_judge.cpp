@@ -62,7 +62,11 @@ void subtract(const PositiveProduct& product, MonomialSum& sum) {
 }  // namespace
 
 StepJudge::StepJudge(JudgedSystem& system)
-    : system_(&system), expansion_(system), rows_(system.variables()), z_(system.variables()) {}
+    : system_(&system),
+      expansion_(system),
+      rows_(system.variables()),
+      z_(system.variables()),
+      forms_(system) {}
 
 Range StepJudge::propagated(std::size_t variable, const Box& box) const {
   Range side(box[variable]);
@@ -168,6 +172,18 @@ Range StepJudge::polytope(const ExpansionBox& expansion, std::size_t variable,
   const Range above = hull(least_with(1), Range(1.0));     // z_i is at least the lower end
   const Range below = hull(-least_with(-1), Range(-1.0));  // and at most the upper end of this
   return unscaled(variable, intersection(intersection(above, below), Range(Interval(-1, 1))), box);
+}
+
+std::string StepJudge::bernstein_refusal() const {
+  return forms_.applies() ? "" : "the equations are no polynomials, or too large, for their Bernstein forms";
+}
+
+Range StepJudge::bernstein_row(const ExpansionBox& expansion, std::size_t variable,
+                               const std::vector<double>& multipliers, const Interval& claim,
+                               const Box& box) {
+  if (converted_ != expansion.number) forms_.convert(expansion.box);
+  converted_ = expansion.number;
+  return intersection(forms_.zeros(variable, multipliers, claim), Range(box[variable]));
 }
 
 /// Values at the midpoint and slopes from there.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "verifier/bernstein_forms.h"
 #include "verifier/combined_row.h"
 #include "verifier/expansion.h"
 #include "verifier/judged_system.h"
@@ -54,6 +55,10 @@ class StepJudge {
                  const std::vector<PositiveProduct>& products, const Box& box);
   Range mean_value_row(const ExpansionBox& expansion, std::size_t variable,
                        const std::vector<double>& multipliers, const Box& box);
+  /// Refuses, in words, where the equations have no Bernstein forms: then the text is not empty.
+  std::string bernstein_refusal() const;
+  Range bernstein_row(const ExpansionBox& expansion, std::size_t variable,
+                      const std::vector<double>& multipliers, const Interval& claim, const Box& box);
 
  private:
   struct KeptRow {
@@ -82,6 +87,9 @@ class StepJudge {
   std::uint64_t scaled_ = 0;
   Box scaled_box_;
   RangeBox z_;
+
+  BernsteinForms forms_;
+  std::uint64_t converted_ = 0;  ///< number of the box that forms_ are about
 
   std::uint64_t sloped_ = 0;      ///< number of the box that slopes_ and values_ belong to
   std::vector<bool> is_defined_;  ///< equation k everywhere in that box

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "experiments/runner/child_process.h"
+#include "experiments/process/child_process.h"
 #include "experiments/runner/supervisor.h"
 
 namespace gcslab {

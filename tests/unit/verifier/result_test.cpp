@@ -79,6 +79,17 @@ const Edited kEdited[] = {
      }},
     {"evidence of an unknown claim", "/solutions/0/certificate/evidence/0/claim",
      [](Json& r) { r["solutions"][0]["certificate"]["evidence"][0]["claim"] = "sure"; }},
+    {"evidence by a theorem that nobody knows", "/solutions/0/certificate/evidence/0/type",
+     [](Json& r) { r["solutions"][0]["certificate"]["evidence"][0]["type"] = "oracle"; }},
+    {"evidence that is more than its theorem shows", "/solutions/0/certificate/evidence/0/claim",
+     [](Json& r) { r["solutions"][0]["certificate"]["evidence"][0]["type"] = "miranda"; }},
+    {"evidence that is less than the claim", "/solutions/0/certificate/evidence",
+     [](Json& r) {
+       Json& evidence = r["solutions"][0]["certificate"]["evidence"];
+       evidence = Json::array({evidence[0]});
+       evidence[0]["type"] = "miranda";
+       evidence[0]["claim"] = "exists";
+     }},
     {"a solution twice", "/solutions", [](Json& r) { r["solutions"].push_back(r["solutions"][0]); }},
     {"a point outside of the box", "/solutions/0/point",
      [](Json& r) { r["solutions"][0]["point"][0] = 0.5; }},

@@ -66,15 +66,18 @@ inline Json solution_json(const EquationSystem& system, const Solution& solution
     evidence.push_back(
         {{"type", e.type}, {"claim", name_of(e.claim)}, {"box", box_json(e.box)}, {"bits", e.bits}});
   }
-  return {{"point", point},
-          {"box", box_json(solution.root.box)},
-          {"kind", "real"},
-          {"residual", residual_at(system, point)},
-          {"certificate", {{"claim", "unique"}, {"evidence", evidence}}},
-          {"uniqueness_box", box_json(solution.root.uniqueness_box)},
-          {"multiplicity", solution.root.multiplicity},
-          {"isolated", "proved"},
-          {"inequalities", solution.inequalities == InequalityState::proved ? "proved" : "undecided"}};
+  Json entry = {{"point", point},
+                {"box", box_json(solution.root.box)},
+                {"kind", "real"},
+                {"residual", residual_at(system, point)},
+                {"certificate", {{"claim", name_of(solution.claim)}, {"evidence", evidence}}},
+                {"isolated", "unknown"},
+                {"inequalities", solution.inequalities == InequalityState::proved ? "proved" : "undecided"}};
+  if (solution.claim != Claim::unique) return entry;
+  entry["uniqueness_box"] = box_json(solution.root.uniqueness_box);
+  entry["multiplicity"] = solution.root.multiplicity;
+  entry["isolated"] = "proved";
+  return entry;
 }
 
 /// The proof with the content hash that belongs to its lines.
@@ -100,13 +103,15 @@ struct SolvedSystem {
 
 /// Solves the system in its box by the contractors named.
 inline SolvedSystem solved(const EquationSystem& system, const std::string& contractor = "hull+multipliers",
-                           std::uint64_t maximum_boxes = ~std::uint64_t{0}) {
+                           std::uint64_t maximum_boxes = ~std::uint64_t{0},
+                           const std::string& certifier = SearchOptions().certifier) {
   const SystemFunctions functions(system);
   std::ostringstream text;
   ProofLog log(text);
   SearchOptions options;
   options.proof = &log;
   options.maximum_boxes = maximum_boxes;
+  options.certifier = certifier;
   const ContractorMaker maker = [&](const SystemFunctions& f, int bits) {
     ContractorSettings settings;
     if (bits > 53) {

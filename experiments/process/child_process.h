@@ -1,6 +1,7 @@
 #pragma once
 
-// A process of its own for something that may run wild: this program, started again with other arguments.
+// A process of its own for something that may run wild: this program, started again with other arguments, or
+// another one.
 //
 // The promise: it ends within some 20 ms of exceeding a limit, when this object goes, and when the process
 // that started it dies, even by kill -9; it does not see the terminal's Ctrl-C. Only the thread that made the
@@ -13,7 +14,7 @@
 #include <sys/types.h>
 #include <vector>
 
-#include "experiments/tasks/task.h"
+#include "experiments/process/limits.h"
 
 namespace gcslab {
 
@@ -29,10 +30,20 @@ struct ChildEnd {
   double peak_rss_mb = 0;  ///< the most that was seen, every 10 ms
 };
 
+/// Another program.
+struct ChildCommand {
+  std::string program;  ///< path of the file
+  std::vector<std::string> arguments;
+  std::string folder;             ///< where it runs
+  double maximum_file_mb = 1000;  ///< no file that it writes grows beyond this
+};
+
 class ChildProcess {
  public:
   /// Starts this program with `arguments`. Throws std::system_error when no process can be made.
   ChildProcess(const std::vector<std::string>& arguments, const Limits& limits);
+  /// Starts another program.
+  ChildProcess(const ChildCommand& command, const Limits& limits);
   /// Kills the child, with all processes of its group, if it still runs.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
@@ -48,6 +59,7 @@ class ChildProcess {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start(const std::vector<std::string>& words, const ChildCommand* other);
   void read_output();
   StoppedBy exceeded_limit();
   void kill_group() const;

@@ -1,4 +1,4 @@
-#include "experiments/runner/child_process.h"
+#include "experiments/process/child_process.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -55,7 +55,9 @@ void set_kernel_limits(const Limits& limits) {
 #endif
 }
 
-[[noreturn]] void become_child(char* const* arguments, const Limits& limits, pid_t parent, int output) {
+/// `other` is the program to become; null: this one again.
+[[noreturn]] void become_child(char* const* arguments, const ChildCommand* other, const Limits& limits,
+                               pid_t parent, int output) {
   constexpr int kCannotExecute = 127;
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -65,8 +67,12 @@ void set_kernel_limits(const Limits& limits) {
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
-  execv("/proc/self/exe", arguments);
-  constexpr char kMessage[] = "cannot execute /proc/self/exe\n";
+  if (other != nullptr) {
+    limit_resource(RLIMIT_FSIZE, other->maximum_file_mb * kBytesPerMb);
+    if (chdir(other->folder.c_str()) != 0) _exit(kCannotExecute);
+  }
+  execv(other != nullptr ? other->program.c_str() : "/proc/self/exe", arguments);
+  constexpr char kMessage[] = "cannot execute the program\n";
   static_cast<void>(!write(STDERR_FILENO, kMessage, sizeof kMessage - 1));
   _exit(kCannotExecute);
 }
@@ -93,8 +99,19 @@ double cpu_seconds(pid_t process) {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Limits& limits)
     : limits_(limits) {
-  std::vector<std::string> texts = {"gcslab"};
-  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> words = {"gcslab"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  start(words, nullptr);
+}
+
+ChildProcess::ChildProcess(const ChildCommand& command, const Limits& limits) : limits_(limits) {
+  std::vector<std::string> words = {command.program};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  start(words, &command);
+}
+
+void ChildProcess::start(const std::vector<std::string>& words, const ChildCommand* other) {
+  std::vector<std::string> texts = words;
   std::vector<char*> pointers;
   pointers.reserve(texts.size() + 1);
   for (std::string& text : texts) pointers.push_back(text.data());
@@ -103,7 +120,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Limi
   if (pipe2(ends, O_CLOEXEC) != 0) fail_system("cannot make a pipe");
   const pid_t parent = getpid();
   process_ = fork();
-  if (process_ == 0) become_child(pointers.data(), limits_, parent, ends[1]);
+  if (process_ == 0) become_child(pointers.data(), other, limits_, parent, ends[1]);
   close(ends[1]);
   output_ = ends[0];
   if (process_ < 0) {
