@@ -24,7 +24,7 @@ std::vector<SolveMethod> all_methods() {
   std::vector<SolveMethod> methods;
   for (const SolverMethod& method : solver_method_registry().entries())
     methods.push_back({method.name, method.summary, method.version, method.options(), solve_by_search,
-                       &SolverMethod::promise});
+                       Promise::rigorous, &SolverMethod::promise});
   methods.push_back(univariate_method());
   methods.push_back(angle_sum_method());
   for (SolveMethod& peer : peer_methods()) methods.push_back(std::move(peer));

@@ -19,8 +19,9 @@ struct SolveMethod {
   std::function<SolveOutcome(const SystemFunctions&, const SolveSettings&, const std::optional<SearchStart>&,
                              const std::stop_token&, SearchObserver*)>
       solve;
-  /// Rigorous, unless an option asks for a baseline; empty: always rigorous.
-  std::function<Promise(const Options&)> promise{};
+  Promise promise = Promise::rigorous;
+  /// Where some options are baselines: the promise of the method with these. Empty: `promise`.
+  std::function<Promise(const Options&)> promise_with{};
   bool is_peer = false;  ///< a program of others: it writes no proof and cannot be resumed
 };
 

@@ -51,7 +51,7 @@ std::vector<MethodInfo> SolveTask::methods() const {
   std::vector<MethodInfo> methods;
   for (const SolveMethod& method : solve_method_registry().entries()) {
     methods.push_back(
-        {method.name, method.summary, Promise::rigorous, method.version, method.options, method.promise});
+        {method.name, method.summary, method.promise, method.version, method.options, method.promise_with});
   }
   return methods;
 }

@@ -10,13 +10,11 @@ namespace {
 
 /// What each theorem shows.
 const std::map<std::string, std::string>& claims_of_theorems() {
-  static const std::map<std::string, std::string> claims = {{"krawczyk", "unique"},
-                                                            {"interval_newton", "unique"},
-                                                            {"kantorovich", "unique"},
-                                                            {"descartes", "unique"},
-                                                            {"miranda", "exists"},
-                                                            {"elber_kim", "at_most_one"},
-                                                            {"slope_regularity", "at_most_one"}};
+  static const std::map<std::string, std::string> claims = {
+      {"krawczyk", "unique"},       {"interval_newton", "unique"},
+      {"kantorovich", "unique"},    {"descartes", "unique"},
+      {"angle_sum", "unique"},      {"miranda", "exists"},
+      {"elber_kim", "at_most_one"}, {"slope_regularity", "at_most_one"}};
   return claims;
 }
 

@@ -186,7 +186,9 @@ TEST_P(MethodProof, IsRefusedWhereARowRestsOnNothing) {
       std::vector<std::string> words = words_of(lines[narrowing.line]);
       const bool is_empty = words[narrowing.place] == "empty";
       if (!is_empty && !narrows_much(narrowing, words)) continue;
-      for (std::size_t k = 0; k < system.equations.size(); ++k)
+      std::size_t multipliers = system.equations.size();
+      if (narrowing.kind == "polytope") multipliers += system.inequalities.size();
+      for (std::size_t k = 0; k < multipliers; ++k)
         words[narrowing.place + (is_empty ? 1 : 2) + k] = "0x0p+0";
       ASSERT_TRUE(is_refused_at(run, lines, narrowing.line, words)) << lines[narrowing.line];
     }
