@@ -210,7 +210,7 @@ unset label; unset arrow
 # LP reduction / ellipse-circle-tangent-twice
 set label 'ellipse-circle-' at screen 0.64340,0.49257 center font ',8' tc rgb '#202020' noenhanced front
 set label 'tangent-twice' at screen 0.64340,0.47617 center font ',8' tc rgb '#202020' noenhanced front
-set label '399 boxes, 0 roots' at screen 0.64340,0.25935 center font ',7' tc rgb '#606060' noenhanced front
+set label '263 boxes, 0 roots' at screen 0.64340,0.25935 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.54465; set rmargin at screen 0.74215
 set bmargin at screen 0.28881; set tmargin at screen 0.46490
 set xrange [-3:3]
