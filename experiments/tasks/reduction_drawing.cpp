@@ -112,7 +112,7 @@ Drawn draw_reduction(const std::filesystem::path& path, const Options& options) 
   const Problem problem = load_problem(path);
   const Quadratic quadratic = quadratic_of(problem);
   const SystemFunctions functions(problem.system);
-  const auto contractor = make_lp_reduction_contractor(functions, "simplex", LpSafety::dual);
+  const auto contractor = make_lp_reduction_contractor(functions, {});
   const auto panels = static_cast<std::size_t>(options.integer("panels"));
   const std::vector<std::string> names = names_of({{1}, {2}}, problem.system.variables);
   Drawn drawn;

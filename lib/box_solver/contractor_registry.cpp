@@ -27,7 +27,8 @@ Made make_multipliers(const SystemFunctions& functions, const ContractorSettings
 }
 
 Made make_lp_reduction(const SystemFunctions& functions, const ContractorSettings& settings) {
-  return make_lp_reduction_contractor(functions, settings.lp, lp_safety_from_name(settings.lp_safety));
+  return make_lp_reduction_contractor(functions, {settings.lp, lp_safety_from_name(settings.lp_safety),
+                                                  bound_products_from_name(settings.lp_products)});
 }
 
 template <MeanValueForm form>

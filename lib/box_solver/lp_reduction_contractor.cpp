@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "base/error.h"
-#include "box_solver/polytope.h"
 #include "interval/fast_interval.h"
 #include "linear_program/lp_registry.h"
 
@@ -18,11 +17,12 @@ Expansion<FastInterval> made_in_scope(const ExpansionPlan& plan) {
 
 class LpReductionContractor final : public Contractor {
  public:
-  LpReductionContractor(const SystemFunctions& functions, const std::string& backend, LpSafety safety)
+  LpReductionContractor(const SystemFunctions& functions, const LpReductionSettings& settings)
       : plan_(functions, ExpandedFunctions::constraints),
         expansion_(made_in_scope(plan_)),
-        backend_(lp_registry().at(backend)),
-        options_{.safety = safety, .negligible_gain = 1e-3} {}
+        backend_(lp_registry().at(settings.backend)),
+        products_(settings.products),
+        options_{.safety = settings.safety, .negligible_gain = 1e-3} {}
 
   /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse, in
   /// plain vector arithmetic.
@@ -40,7 +40,7 @@ class LpReductionContractor final : public Contractor {
       const NumberTraits<FastInterval>::Scope scope;
       expansion_.expand(box);
     }
-    if (!polytope_) polytope_.emplace(plan_);
+    if (!polytope_) polytope_.emplace(plan_, products_);
     polytope_->refill(expansion_);
     trace.add({Argument::expansion});
     options_.keep_certificates = trace.wanted();
@@ -108,8 +108,10 @@ class LpReductionContractor final : public Contractor {
         step.multipliers[number] = multiplier * polytope_->scale(number);
     } else if (multiplier > 0) {
       const ProductRow& product = polytope_->products()[number - plan_.rows()];
-      step.products.push_back(
-          {variables_of(product.first), variables_of(product.second), product.s, product.t, multiplier});
+      ProductMultiplier proof{{}, product.is_square, multiplier};
+      for (const auto& [column, sign] : product.factors)
+        proof.factors.push_back({sign, variables_of(column)});
+      step.products.push_back(std::move(proof));
     }
   }
 
@@ -126,14 +128,15 @@ class LpReductionContractor final : public Contractor {
   Expansion<FastInterval> expansion_;
   std::optional<BernsteinPolytope> polytope_;  ///< made when first needed
   const LpBackendVariant& backend_;
+  BoundProducts products_;
   LpReductionOptions options_;
 };
 
 }  // namespace
 
 std::unique_ptr<Contractor> make_lp_reduction_contractor(const SystemFunctions& functions,
-                                                         const std::string& backend, LpSafety safety) {
-  return std::make_unique<LpReductionContractor>(functions, backend, safety);
+                                                         const LpReductionSettings& settings) {
+  return std::make_unique<LpReductionContractor>(functions, settings);
 }
 
 LpSafety lp_safety_from_name(const std::string& name) {

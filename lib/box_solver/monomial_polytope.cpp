@@ -67,8 +67,8 @@ std::vector<Exponents> exponents_of(std::span<const ScaledMonomial> columns, std
 }
 
 bool is_wanted(const ProductRow& row, PolytopeParts parts) {
-  if (row.t != 0 || parts == PolytopeParts::all) return true;
-  return parts == PolytopeParts::published && row.s < 0;
+  if (!row.is_square || parts == PolytopeParts::all) return true;
+  return parts == PolytopeParts::published && row.factors.back().sign < 0;
 }
 
 class HalfSpaces {

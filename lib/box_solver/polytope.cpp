@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/error.h"
 #include "box_solver/combined_row.h"
 #include "interval/fast_interval.h"
 
@@ -11,8 +12,6 @@ namespace gcslab {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-using Factors = std::vector<ScaledMonomial::Factor>;
 
 bool is_square(const ScaledMonomial& monomial) {
   return std::ranges::all_of(monomial.factors, [](const auto& f) { return f.power % 2 == 0; });
@@ -23,16 +22,41 @@ Interval range_of(const ScaledMonomial& monomial) {
   return is_square(monomial) ? Interval(0, 1) : Interval(-1, 1);
 }
 
+double largest_coefficient(const ExpansionRow<FastInterval>& row) {
+  double largest = 0;
+  for (const FastInterval& value : row.values) largest = std::max(largest, magnitude(value.interval()));
+  return largest;
+}
+
+/// Multipliers of rows with coefficients below kSmallest would overflow; the box is then far below the
+/// resolution of any search.
 bool is_usable(const ExpansionRow<FastInterval>& row) {
-  return is_bounded(row.constant.interval()) &&
+  constexpr double kSmallest = 0x1p-600;
+  const double largest = largest_coefficient(row);
+  return is_bounded(row.constant.interval()) && (largest == 0 || largest > kSmallest) &&
          std::ranges::all_of(row.values, [](const FastInterval& v) { return is_bounded(v.interval()); });
 }
 
 /// A power of 2 that brings the largest coefficient near 1.
 double scale_of(const ExpansionRow<FastInterval>& row) {
-  double largest = 0;
-  for (const FastInterval& value : row.values) largest = std::max(largest, magnitude(value.interval()));
+  const double largest = largest_coefficient(row);
   return largest > 0 ? std::ldexp(1, std::clamp(-std::ilogb(largest), -1000, 1000)) : 1;
+}
+
+int degree_of(const ScaledMonomial& monomial) {
+  int degree = 0;
+  for (const auto& factor : monomial.factors) degree += factor.power;
+  return degree;
+}
+
+ScaledMonomial product_of(const ScaledMonomial& a, const ScaledMonomial& b) {
+  std::map<std::uint32_t, int> powers;
+  for (const ScaledMonomial* monomial : {&a, &b}) {
+    for (const auto& [variable, power] : monomial->factors) powers[variable] += power;
+  }
+  ScaledMonomial result;
+  for (const auto& [variable, power] : powers) result.factors.push_back({variable, power});
+  return result;
 }
 
 /// The quotient of two monomials, if there is one.
@@ -58,11 +82,19 @@ std::size_t BernsteinPolytope::columns_for(const ExpansionPlan& plan) {
   return others <= own / 4 || !is_determined ? own + others : own;
 }
 
-BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan)
-    : plan_(&plan), columns_(std::span(plan.columns()).first(columns_for(plan))) {
+BoundProducts bound_products_from_name(const std::string& name) {
+  if (name == "pairs") return BoundProducts::pairs;
+  if (name == "factors") return BoundProducts::factors;
+  if (name == "both") return BoundProducts::both;
+  throw InputError("lp_products is '" + name + "'; expected one of pairs, factors, both");
+}
+
+BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products)
+    : plan_(&plan), columns_(std::span(plan.columns()).first(columns_for(plan))), products_(products) {
   add_columns();
   add_functions();
-  add_products();
+  add_pairs();
+  if (products_ != BoundProducts::pairs) add_bound_factors();
   add_complements();
 }
 
@@ -83,60 +115,90 @@ void BernsteinPolytope::add_functions() {
   }
 }
 
-/// 1 + s z^a + t z^b + s t z^a z^b >= 0 for the signs s and t; with a = b the squares 1 +- 2 z^a + z^2a >= 0.
-void BernsteinPolytope::add_products() {
-  const std::span<const ScaledMonomial> columns = columns_;
-  for (std::size_t product = 0; product < columns.size(); ++product) {
-    for (std::size_t first = 0; first < columns.size(); ++first) {
-      const auto rest = quotient(columns[product], columns[first]);
+std::optional<std::size_t> BernsteinPolytope::column_of(const ScaledMonomial& monomial) const {
+  const auto found = std::ranges::find(columns_, monomial);
+  if (found == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+void BernsteinPolytope::add_pairs() {
+  for (const ScaledMonomial& product : columns_) {
+    if (products_ == BoundProducts::factors && degree_of(product) > 2) continue;
+    for (std::size_t first = 0; first < columns_.size(); ++first) {
+      const auto rest = quotient(product, columns_[first]);
       if (!rest || rest->factors.empty()) continue;
-      const auto found = std::ranges::find(columns, *rest);
-      const auto second = static_cast<std::size_t>(found - columns.begin());
-      if (found == columns.end() || second < first) continue;
-      const int a = static_cast<int>(first), b = static_cast<int>(second), p = static_cast<int>(product);
-      for (const double s : {-1.0, 1.0}) {
-        if (a == b) {
-          add_row({first, second, static_cast<int>(s), static_cast<int>(s)},
-                  std::vector<LinearTerm>{{a, 2 * s}, {p, 1}}, -1);
-          continue;
-        }
-        for (const double t : {-1.0, 1.0})
-          add_row({first, second, static_cast<int>(s), static_cast<int>(t)},
-                  std::vector<LinearTerm>{{a, s}, {b, t}, {p, s * t}}, -1);
-      }
+      const auto second = column_of(*rest);
+      if (second && *second >= first) add_pair(first, *second);
     }
   }
 }
 
-void BernsteinPolytope::add_row(const ProductRow& meaning, const std::vector<LinearTerm>& terms,
-                                double least) {
-  model_.add_row(terms, Interval(least, kInfinity));
-  meanings_.push_back(meaning);
+void BernsteinPolytope::add_pair(std::size_t first, std::size_t second) {
+  for (const int s : {-1, 1}) {
+    for (const int t : {-1, 1}) {
+      // (1 + z)(1 - z) >= 0 is the upper bound of the square.
+      if (first != second || s == t) add_row({{{first, s}, {second, t}}});
+    }
+  }
 }
 
-int BernsteinPolytope::column_of_product(std::size_t first, std::size_t second) const {
-  Factors factors;
-  if (first == second) {
-    factors = {{static_cast<std::uint32_t>(first), 2}};
-  } else {
-    factors = {{static_cast<std::uint32_t>(first), 1}, {static_cast<std::uint32_t>(second), 1}};
+/// For x^2 y: (1 +- x)(1 +- x)(1 +- y), each choice of signs once.
+void BernsteinPolytope::add_bound_factors() {
+  constexpr int kMaximumDegree = 6;
+  for (const ScaledMonomial& monomial : columns_) {
+    const int degree = degree_of(monomial);
+    if (degree < 3 || degree > kMaximumDegree) continue;
+    std::vector<std::vector<SignedColumn>> products = {{}};
+    for (const auto& [variable, power] : monomial.factors) {
+      std::vector<std::vector<SignedColumn>> longer;
+      for (const std::vector<SignedColumn>& product : products) {
+        for (int negative = 0; negative <= power; ++negative) {
+          longer.push_back(product);
+          for (int k = 0; k < power; ++k) longer.back().push_back({variable, k < negative ? -1 : 1});
+        }
+      }
+      products = std::move(longer);
+    }
+    for (std::vector<SignedColumn>& product : products) add_row({std::move(product)});
   }
-  const auto found = std::ranges::find(columns_, ScaledMonomial{factors});
-  return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
 }
 
 void BernsteinPolytope::add_complements() {
   const std::size_t n = plan_->functions().variables();
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      const int product = column_of_product(i, j);
-      const int first = column_of_product(i, i);
-      const int second = column_of_product(j, j);
-      if (product < 0 || first < 0 || second < 0) continue;
-      for (const int s : {-1, 1})
-        add_row({i, j, s, 0}, std::vector<LinearTerm>{{first, 1}, {second, 1}, {product, 2.0 * s}}, 0);
+      for (const int s : {-1, 1}) add_row({{{i, 1}, {j, s}}, true});
     }
   }
+}
+
+/// The row, if all its monomials have columns.
+void BernsteinPolytope::add_row(const ProductRow& row) {
+  std::map<ScaledMonomial, double> sum;
+  const ScaledMonomial one;
+  if (row.is_square) {
+    for (const SignedColumn& a : row.factors) {
+      for (const SignedColumn& b : row.factors)
+        sum[product_of(columns_[a.column], columns_[b.column])] += a.sign * b.sign;
+    }
+  } else {
+    sum[one] = 1;
+    for (const auto& [column, sign] : row.factors) {
+      for (const auto& [monomial, coefficient] : std::map(sum))
+        sum[product_of(monomial, columns_[column])] += sign * coefficient;
+    }
+  }
+  const double least = row.is_square ? 0 : -sum[one];
+  sum.erase(one);
+  std::vector<LinearTerm> terms;
+  for (const auto& [monomial, coefficient] : sum) {
+    if (coefficient == 0) continue;
+    const auto column = column_of(monomial);
+    if (!column) return;
+    terms.push_back({static_cast<int>(*column), coefficient});
+  }
+  model_.add_row(terms, Interval(least, kInfinity));
+  meanings_.push_back(row);
 }
 
 void BernsteinPolytope::refill(const Expansion<FastInterval>& expansion) {

@@ -5,14 +5,17 @@
 //
 // One LP column for each monomial of the expansion of the system about the box (expansion.h), in the scaled
 // variables z of [-1, 1]^n; monomials that occur in inequalities alone get one when they are few, or when the
-// equations do not determine the variables. Rows: each expanded function; for every product column z^a z^b of
-// two others, the four products (1 +- z^a)(1 +- z^b) >= 0; for every square (1 +- z^a)^2 >= 0; and, where all
-// three columns occur, the complements (z_i +- z_j)^2 >= 0. Coefficients are single numbers: what an interval
+// equations do not determine the variables. Rows: each expanded function; products of bound factors 1 +- z^a,
+// as far as their monomials occur: for every product column z^a z^b of two others the four (1 +- z^a)
+// (1 +- z^b) >= 0, for every square (1 +- z^a)^2 >= 0, or products of more factors (BoundProducts); and the
+// complements (z_i +- z_j)^2 >= 0. Coefficients are single numbers: what an interval
 // coefficient is wider than that, and monomials without column, are in the sides of the row.
 //
 // Promise: every solution of the system in the box stands for a feasible point of the model.
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "box_solver/expansion.h"
@@ -21,10 +24,25 @@
 
 namespace gcslab {
 
-/// (1 + s z^first)(1 + t z^second) >= 0, columns by number; with t = 0: (z_first + s z_second)^2 >= 0.
+/// Which products of bound factors 1 +- z^a are rows, for monomials of degree 3 and more; those of degree 2
+/// have all.
+enum class BoundProducts {
+  pairs,    ///< of two columns, as after quadratisation by a new variable for each column
+  factors,  ///< of one factor for each variable, 1 +- z_i, with repetition (Sherali, Adams 1990)
+  both
+};
+
+BoundProducts bound_products_from_name(const std::string& name);
+
+struct SignedColumn {
+  std::size_t column;
+  int sign;
+};
+
+/// The product of all 1 + sign z^column >= 0; or with is_square the square of the sum of sign z^column >= 0.
 struct ProductRow {
-  std::size_t first, second;
-  int s, t;
+  std::vector<SignedColumn> factors;
+  bool is_square = false;
 };
 
 class BernsteinPolytope {
@@ -33,7 +51,7 @@ class BernsteinPolytope {
   static std::size_t columns_for(const ExpansionPlan& plan);
 
   /// `plan` must outlive it.
-  explicit BernsteinPolytope(const ExpansionPlan& plan);
+  explicit BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products = BoundProducts::pairs);
 
   /// Writes the functions of an expansion about the box that the z scale; only numbers change.
   void refill(const Expansion<FastInterval>& expansion);
@@ -48,13 +66,16 @@ class BernsteinPolytope {
   void add_columns();
   void add_functions();
   void refill_row(std::size_t k, const ExpansionRow<FastInterval>& row);
-  void add_products();
+  void add_pairs();
+  void add_pair(std::size_t first, std::size_t second);
+  void add_bound_factors();
   void add_complements();
-  void add_row(const ProductRow& meaning, const std::vector<LinearTerm>& terms, double least);
-  int column_of_product(std::size_t first, std::size_t second) const;
+  void add_row(const ProductRow& row);
+  std::optional<std::size_t> column_of(const ScaledMonomial& monomial) const;
 
   const ExpansionPlan* plan_;
   std::span<const ScaledMonomial> columns_;
+  BoundProducts products_;
   LpModel model_;
   std::vector<ProductRow> meanings_;
   std::vector<double> scales_;

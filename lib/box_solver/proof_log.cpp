@@ -30,9 +30,10 @@ void append_integer(std::string& line, Integer value, char separator = ' ') {
   line += std::to_string(value);
 }
 
-void append_monomial(std::string& line, const std::vector<std::uint32_t>& variables) {
-  char separator = ' ';
-  for (const std::uint32_t variable : variables) {
+void append_signed(std::string& line, const SignedMonomial& monomial) {
+  line += ' ';
+  char separator = monomial.sign > 0 ? '+' : '-';
+  for (const std::uint32_t variable : monomial.variables) {
     append_integer(line, variable, separator);
     separator = '*';
   }
@@ -132,10 +133,9 @@ void ProofLog::step(const ProofStep& step) {
   for (const double multiplier : step.multipliers) append_number(line_, multiplier);
   if (step.argument == Argument::polytope) line_ += " ;";
   for (const ProductMultiplier& product : step.products) {
-    append_monomial(line_, product.first);
-    append_monomial(line_, product.second);
-    append_integer(line_, product.s);
-    append_integer(line_, product.t);
+    line_ += product.is_square ? " s" : " p";
+    for (const SignedMonomial& factor : product.factors) append_signed(line_, factor);
+    line_ += " :";
     append_number(line_, product.multiplier);
   }
   write(line_);

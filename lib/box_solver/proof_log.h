@@ -13,13 +13,13 @@
 //     expansion                      expansions are about the midpoint of the box as it is now
 //     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
 //     square_row V LO HI C ...       the same, solved for the square of z_V
-//     polytope V LO HI C ... ; A B S T M ...
-//                                    with f_k about the midpoint at `expansion`, in the scaled z of [-1,
-//                                    1]^n:
-//                                    +-z_V - sum C_k f_k - sum M (1 + S z^A) (1 + T z^B) (T = 0: M (z^A + S
-//                                    z^B)^2), bounded monomial by monomial, gives the end that moved; + for
-//                                    LO, - for HI; without z_V, a positive bound shows "empty". A and B are
-//                                    variables joined by *
+//     polytope V LO HI C ... ; P ... with f_k about the midpoint at `expansion`, in z of [-1, 1]^n, first of
+//                                    equations, then of inequalities, whose C are <= 0: +-z_V - sum C_k f_k
+//                                    - sum of products, bounded monomial by monomial, gives the end moved:
+//                                    + for LO, - for HI; without z_V, a positive bound shows "empty".
+//                                    P is "p SA ... : M", M times the product of all 1 + S z^A, or "s SA ...
+//                                    : M", M times the square of the sum of S z^A, with S a sign and A the
+//                                    variables of a monomial, joined by *
 //     mean_value_row V LO HI C ...   0 = C f(m) + C J (x - m), with m and J of the box at `expansion`
 //     bernstein_row V LO HI C ...    C f has no zero with x_V outside [LO, HI] in the box at `expansion`: its
 //                                    Bernstein form there, seen along V, is positive or negative
@@ -27,9 +27,8 @@
 //     cases V POINT                  what follows is about the part of the box with x_V <= POINT,
 //     otherwise                      from here on about the part with x_V >= POINT,
 //     join                           and now about the hull of what is left of the two, empty when nothing
-//     is.
-//                                    Cases nest; a part ends early when a step shows that it is empty. An
-//                                    `expansion` in a part is forgotten at the end of that part
+//                                    is left. Cases nest; a part ends early when a step shows that it is
+//                                    empty. An `expansion` in a part is forgotten at the end of that part
 //   and how it ended:
 //     end empty | covered R | undecided | pending | cut V POINT LOWER UPPER   (the numbers of the two parts)
 //     end counted LO HI ...          one polynomial in one variable: the boxes of the result and the ones

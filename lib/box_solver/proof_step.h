@@ -33,11 +33,17 @@ enum class Argument : std::uint8_t {
 /// The word that proof logs use.
 std::string_view name_of(Argument argument);
 
-/// A product of bound factors of z in [-1, 1]^n with its multiplier, which is not negative: (1 + s z^first)
-/// (1 + t z^second), each monomial as its variables with repetition; t = 0: (z^first + s z^second)^2.
+/// A monomial of z in [-1, 1]^n as its variables with repetition, and a sign.
+struct SignedMonomial {
+  int sign;
+  std::vector<std::uint32_t> variables;
+};
+
+/// The product of all 1 + sign z^variables, or with is_square the square of the sum of sign z^variables, with
+/// its multiplier, which is not negative.
 struct ProductMultiplier {
-  std::vector<std::uint32_t> first, second;
-  int s, t;
+  std::vector<SignedMonomial> factors;
+  bool is_square;
   double multiplier;
 };
 

@@ -35,6 +35,10 @@ std::vector<OptionSpec> SolverMethod::options() const {
       choice_option("lp", "the solver of linear programs", "simplex", lp_registry().names()),
       choice_option("lp_safety", "what is believed of its answers; tolerance and unprotected are baselines",
                     "dual", {"dual", "exact", "tolerance", "unprotected"}),
+      choice_option("lp_products",
+                    "products of bound factors in the polytope, from degree 3 on: of pairs of columns, of a "
+                    "factor for each variable, or both",
+                    "pairs", {"pairs", "factors", "both"}),
       choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
                     bisection_registry().names()),
       OptionSpec{"certifier",
@@ -97,6 +101,7 @@ ContractorMaker contractor_maker(const Options& options) {
   settings.bits = static_cast<int>(options.integer("bits"));
   settings.lp = options.word("lp");
   settings.lp_safety = options.word("lp_safety");
+  settings.lp_products = options.word("lp_products");
   settings.propagation_ratio = options.real("propagation_ratio");
   settings.fixpoint_ratio = options.real("fixpoint_ratio");
   return [settings, composition = options.word("contractor")](const SystemFunctions& functions, int bits) {

@@ -60,22 +60,14 @@ std::uint64_t ProofReader::integer_from(std::string_view text) const {
   return value;
 }
 
-int ProofReader::sign() {
-  const std::string_view text = word();
-  if (text == "1") return 1;
-  if (text == "0") return 0;
-  if (text != "-1") refuse("'" + std::string(text) + "' is none of -1, 0, 1");
-  return -1;
-}
-
-std::vector<std::size_t> ProofReader::joined_indices(std::size_t limit, const char* what) {
+std::vector<std::size_t> ProofReader::joined_indices(std::string_view word, std::size_t limit,
+                                                     const char* what) const {
   std::vector<std::size_t> result;
-  std::string_view rest = word();
   while (true) {
-    const std::size_t end = rest.find('*');
-    result.push_back(checked(integer_from(rest.substr(0, end)), limit, what));
+    const std::size_t end = word.find('*');
+    result.push_back(checked(integer_from(word.substr(0, end)), limit, what));
     if (end == std::string_view::npos) return result;
-    rest.remove_prefix(end + 1);
+    word.remove_prefix(end + 1);
   }
 }
 

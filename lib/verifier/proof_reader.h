@@ -37,10 +37,8 @@ class ProofReader {
   /// Two bounds, or "empty".
   Interval interval_or_empty();
   Box box(std::size_t variables);
-  /// -1, 0 or 1.
-  int sign();
-  /// Indices below `limit` joined by '*'.
-  std::vector<std::size_t> joined_indices(std::size_t limit, const char* what);
+  /// Indices below `limit` in a word that joins them by '*'.
+  std::vector<std::size_t> joined_indices(std::string_view word, std::size_t limit, const char* what) const;
   /// That word and no other.
   void expect(std::string_view word);
   /// Nothing may be left on the line.

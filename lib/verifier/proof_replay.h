@@ -82,7 +82,8 @@ class ProofReplay {
   /// Variable, claim and, into multipliers_, one multiplier an equation.
   std::size_t read_claim(Interval& claim);
   double read_multiplier();
-  Monomial read_monomial();
+  PositiveProduct read_product();
+  std::pair<int, Monomial> signed_monomial(std::string_view text);
   void read_row(std::string_view word);
   void read_polytope();
   void open_cases();

@@ -102,24 +102,35 @@ void ProofReplay::read_polytope() {
   }
   reader_->expect(";");
   std::vector<PositiveProduct> products;
-  while (!reader_->at_end_of_line()) {
-    PositiveProduct product{read_monomial(), read_monomial(), reader_->sign(), reader_->sign(),
-                            read_multiplier()};
-    if (product.multiplier < 0) reader_->refuse("the multiplier of a product is negative");
-    if (product.s == 0) reader_->refuse("the first sign of a product is 0");
-    products.push_back(std::move(product));
-  }
+  while (!reader_->at_end_of_line()) products.push_back(read_product());
   reader_->end_line();
   if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
   take_claim(variable, claim, judge_.polytope(part_.expansion, variable, multipliers_, products, part_.box));
 }
 
-/// Variables joined by '*', with repetition.
-Monomial ProofReplay::read_monomial() {
+PositiveProduct ProofReplay::read_product() {
+  constexpr std::size_t kMaximumFactors = 8;  // 2^8 terms
+  PositiveProduct product{};
+  const std::string_view kind = reader_->word();
+  if (kind != "p" && kind != "s") reader_->refuse("'" + std::string(kind) + "' is neither p nor s");
+  product.is_square = kind == "s";
+  for (std::string_view text = reader_->word(); text != ":"; text = reader_->word())
+    product.factors.push_back(signed_monomial(text));
+  if (product.factors.empty()) reader_->refuse("a product without factors");
+  if (product.factors.size() > kMaximumFactors) reader_->refuse("a product of too many factors");
+  product.multiplier = read_multiplier();
+  if (product.multiplier < 0) reader_->refuse("the multiplier of a product is negative");
+  return product;
+}
+
+/// A sign, then variables joined by '*', with repetition.
+std::pair<int, Monomial> ProofReplay::signed_monomial(std::string_view text) {
+  if (text.empty() || (text[0] != '+' && text[0] != '-'))
+    reader_->refuse("'" + std::string(text) + "' has no sign");
   std::map<std::uint32_t, int> powers;
-  for (const std::size_t variable : reader_->joined_indices(system_->variables(), "variable"))
+  for (const std::size_t variable : reader_->joined_indices(text.substr(1), system_->variables(), "variable"))
     ++powers[static_cast<std::uint32_t>(variable)];
-  return {powers.begin(), powers.end()};
+  return {text[0] == '+' ? 1 : -1, {powers.begin(), powers.end()}};
 }
 
 void ProofReplay::open_cases() {

@@ -43,20 +43,26 @@ class MonomialSum {
   std::map<Monomial, Range> coefficients_;
 };
 
-void subtract(const PositiveProduct& product, MonomialSum& sum) {
-  const Range m(-product.multiplier);
-  const Range s(static_cast<double>(product.s));
-  if (product.t == 0) {
-    sum.add(times(product.first, product.first), m);
-    sum.add(times(product.first, product.second), scaled(2, m * s));
-    sum.add(times(product.second, product.second), m);
-    return;
+/// The terms of a product or square, with their signs; not summed.
+std::vector<std::pair<int, Monomial>> expanded(const PositiveProduct& product) {
+  std::vector<std::pair<int, Monomial>> terms;
+  if (product.is_square) {
+    for (const auto& [s, a] : product.factors) {
+      for (const auto& [t, b] : product.factors) terms.emplace_back(s * t, times(a, b));
+    }
+    return terms;
   }
-  const Range t(static_cast<double>(product.t));
-  sum.add({}, m);
-  sum.add(product.first, m * s);
-  sum.add(product.second, m * t);
-  sum.add(times(product.first, product.second), m * s * t);
+  terms.emplace_back(1, Monomial());
+  for (const auto& [sign, monomial] : product.factors) {
+    const std::size_t count = terms.size();
+    for (std::size_t i = 0; i < count; ++i)
+      terms.emplace_back(terms[i].first * sign, times(terms[i].second, monomial));
+  }
+  return terms;
+}
+
+void subtract(const PositiveProduct& product, MonomialSum& sum) {
+  for (const auto& [sign, monomial] : expanded(product)) sum.add(monomial, Range(-sign * product.multiplier));
 }
 
 }  // namespace

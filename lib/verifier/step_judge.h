@@ -23,11 +23,11 @@ struct ExpansionBox {
   Box box;
 };
 
-/// multiplier (1 + s z^first)(1 + t z^second), or with t = 0 multiplier (z^first + s z^second)^2; s and t are
-/// -1 or 1, the multiplier is not negative.
+/// multiplier times the product of all 1 + sign z^monomial, or with is_square times the square of the sum of
+/// sign z^monomial; signs are -1 or 1, the multiplier is not negative.
 struct PositiveProduct {
-  Monomial first, second;
-  int s, t;
+  std::vector<std::pair<int, Monomial>> factors;
+  bool is_square;
   double multiplier;
 };
 

@@ -337,6 +337,43 @@ TEST(Polytope, ProvesAbsenceWithAnInequality) {
   EXPECT_EQ(refused_line(third), 6);               // a multiplier too few
 }
 
+TEST(Polytope, ProvesAbsenceWithAProductOfBoundFactors) {
+  // On [-1, 1], x = z: f = x^3 - 3 x^2 + 3 x - 9 = (x - 1)^3 - 8, and (1 - z)^3 >= 0: -f - (1 - z)^3 = 8.
+  const auto refused_line = [](const std::string& product) {
+    HandWritten proof = one_node(-1, 1, {"expansion", "polytope 0 empty 0x1p+0 ; " + product}, {});
+    proof.system = system_of({"x"}, {"x^3 - 3*x^2 + 3*x - 9"}, {{-1, 1}});
+    return proof.refused_line();
+  };
+  EXPECT_EQ(refused_line("p -0 -0 -0 : 0x1p+0"), 0);
+  EXPECT_EQ(refused_line("p -0 -0*0 : 0x1p+0"), 6);  // (1 - z)(1 - z^2)
+  EXPECT_EQ(refused_line("p -0 -0 +0 : 0x1p+0"), 6);
+  EXPECT_EQ(refused_line("p -0 -0 -0 : -0x1p+0"), 6);  // a negative multiplier
+  EXPECT_EQ(refused_line("p -0 -0 0 : 0x1p+0"), 6);    // no sign
+  EXPECT_EQ(refused_line("p -0 -0 -1 : 0x1p+0"), 6);   // no such variable
+  EXPECT_EQ(refused_line("p : 0x1p+0"), 6);
+  EXPECT_EQ(refused_line("q -0 -0 -0 : 0x1p+0"), 6);
+  EXPECT_EQ(refused_line("p -0 -0 -0 0x1p+0"), 6);
+  EXPECT_EQ(refused_line("p -0 -0 -0 -0 -0 -0 -0 -0 -0 : 0x1p+0"), 6);  // too many factors
+}
+
+TEST(Polytope, ProvesAbsenceWithTheSquareOfASum) {
+  // On [-1, 1]^2: f = x^2 - 2 x y + y^2 + 1 and (x - y)^2 >= 0.
+  const auto refused_line = [](const std::string& product) {
+    HandWritten proof;
+    const Box box = {{-1, 1}, {-1, 1}};
+    proof.system = system_of({"x", "y"}, {"x^2 - 2*x*y + y^2 + 1"}, box);
+    proof.result = result_of(proof.system, Json::array());
+    const std::string sides = bounds(-1, 1) + " " + bounds(-1, 1);
+    proof.lines = {"gcslab-proof 1", "box " + sides, "start 0 " + sides,
+                   "node 0",         "expansion",    "polytope 0 empty -0x1p+0 ; " + product,
+                   "end empty",      "end"};
+    return proof.refused_line();
+  };
+  EXPECT_EQ(refused_line("s +0 -1 : 0x1p+0"), 0);
+  EXPECT_EQ(refused_line("s +0 +1 : 0x1p+0"), 6);
+  EXPECT_EQ(refused_line("s +0 -1 : 0x1p+1"), 6);
+}
+
 TEST(MeanValueRow, ProvesWhatNewtonAndKrawczykProve) {
   const auto row = [](double lower, double upper, double multiplier) {
     return std::vector<std::string>{
