@@ -338,10 +338,10 @@ TEST(Polytope, ProvesAbsenceWithAnInequality) {
 }
 
 TEST(Polytope, ProvesAbsenceWithAProductOfBoundFactors) {
-  // On [-1, 1], x = z: f = x^3 - 3 x^2 + 3 x - 9 = (x - 1)^3 - 8, and (1 - z)^3 >= 0: -f - (1 - z)^3 = 8.
+  // On [-1, 1], x = z: f = (x - 1)^3 - 1/100, and (1 - z)^3 >= 0: -f - (1 - z)^3 = 1/100.
   const auto refused_line = [](const std::string& product) {
     HandWritten proof = one_node(-1, 1, {"expansion", "polytope 0 empty 0x1p+0 ; " + product}, {});
-    proof.system = system_of({"x"}, {"x^3 - 3*x^2 + 3*x - 9"}, {{-1, 1}});
+    proof.system = system_of({"x"}, {"x^3 - 3*x^2 + 3*x - 101/100"}, {{-1, 1}});
     return proof.refused_line();
   };
   EXPECT_EQ(refused_line("p -0 -0 -0 : 0x1p+0"), 0);
