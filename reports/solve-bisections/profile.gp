@@ -41,8 +41,8 @@ set label 'round robin' at screen 0.54410,0.02344 left font ',7' tc rgb '#202020
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:75.71791218300388]
-set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50)
+set xrange [1:160.57540707171157]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)
@@ -69,7 +69,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.13545 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:223.90976909413854]
+set xrange [1:587.8909090909091]
 set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]

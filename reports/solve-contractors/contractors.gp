@@ -44,8 +44,8 @@ set label 'multipliers, smear sum' at screen 0.12069,0.02239 left font ',7' tc r
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.25255; set tmargin at screen 0.93780
 set logscale x
-set xrange [1:220.44283439999998]
-set xtics ('1' 1, '10' 10, '100' 100)
+set xrange [1:191.27592912]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)

@@ -50,7 +50,7 @@ set label 'CLP unprotected' at screen 0.56028,0.02239 left font ',7' tc rgb '#20
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.25255; set tmargin at screen 0.93780
 set logscale x
-set xrange [1:523.5697862761184]
+set xrange [1:428.5039299291775]
 set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]
@@ -84,7 +84,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.17417 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.25255; set tmargin at screen 0.93780
 set logscale x
-set xrange [1:11.070422535211266]
+set xrange [1:10.597183098591549]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10)
 unset logscale y
 set yrange [0:102]

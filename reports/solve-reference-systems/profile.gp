@@ -29,7 +29,7 @@ set label 'IBEX 2.9 (not the same run)' at screen 0.40520,0.02460 left font ',7'
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:39.78936735560694]
+set xrange [1:47.86642772254748]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]
@@ -49,7 +49,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.09292 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:13.2]
+set xrange [1:11.142857142857144]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10)
 unset logscale y
 set yrange [0:102]
