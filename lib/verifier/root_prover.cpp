@@ -127,7 +127,10 @@ std::optional<RangeBox> RootProver::contracted(const RangeBox& centre, const Rea
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (!image(x, centre, inverse, k)) return std::nullopt;
     if (is_inside(k, x)) return k;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = inflated(hull(x[i], k[i]));
+    // Sides that hold their images stay: where others are far narrower, their images would grow along.
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!k[i].is_inside(x[i])) x[i] = inflated(hull(x[i], k[i]));
+    }
   }
   return std::nullopt;
 }

@@ -228,5 +228,40 @@ TEST(VerifyRoot, ProvesExactRootsInBoxesOfOnePoint) {
   }
 }
 
+// Half of the coordinates are 0 and known to 2^-104, the others to a few units of the last place: the root of
+// the Virasoro system (data/polynomial_systems/virasoro.yaml) at (1/16, 1/16, 1/16, 0, 0, 0, 0, 1/8).
+TEST(VerifyRoot, ProvesRootsInBoxesWithSidesOfVeryDifferentWidths) {
+  const std::vector<std::string> names = {"x1", "x2", "x3", "x4", "x5", "x6", "x7", "x8"};
+  const std::vector<std::string> equations = {
+      "8*x1^2 + 8*x1*x2 + 8*x1*x3 + 2*x1*x4 + 2*x1*x5 + 2*x1*x6 + 2*x1*x7 - 8*x2*x3 - 2*x4*x7 - 2*x5*x6 - x1",
+      "8*x1*x2 - 8*x1*x3 + 8*x2^2 + 8*x2*x3 + 2*x2*x4 + 2*x2*x5 + 2*x2*x6 + 2*x2*x7 - 2*x4*x6 - 2*x5*x7 - x2",
+      "-8*x1*x2 + 8*x1*x3 + 8*x2*x3 + 8*x3^2 + 2*x3*x4 + 2*x3*x5 + 2*x3*x6 + 2*x3*x7 - 2*x4*x5 - 2*x6*x7 - "
+      "x3",
+      "2*x1*x4 - 2*x1*x7 + 2*x2*x4 - 2*x2*x6 + 2*x3*x4 - 2*x3*x5 + 8*x4^2 + 8*x4*x5 + 2*x4*x6 + 2*x4*x7 + "
+      "6*x4*x8 - 6*x5*x8 - x4",
+      "2*x1*x5 - 2*x1*x6 + 2*x2*x5 - 2*x2*x7 - 2*x3*x4 + 2*x3*x5 + 8*x4*x5 - 6*x4*x8 + 8*x5^2 + 2*x5*x6 + "
+      "2*x5*x7 + 6*x5*x8 - x5",
+      "-2*x1*x5 + 2*x1*x6 - 2*x2*x4 + 2*x2*x6 + 2*x3*x6 - 2*x3*x7 + 2*x4*x6 + 2*x5*x6 + 8*x6^2 + 8*x6*x7 + "
+      "6*x6*x8 - 6*x7*x8 - x6",
+      "-2*x1*x4 + 2*x1*x7 - 2*x2*x5 + 2*x2*x7 - 2*x3*x6 + 2*x3*x7 + 2*x4*x7 + 2*x5*x7 + 8*x6*x7 - 6*x6*x8 + "
+      "8*x7^2 + 6*x7*x8 - x7",
+      "-6*x4*x5 + 6*x4*x8 + 6*x5*x8 - 6*x6*x7 + 6*x6*x8 + 6*x7*x8 + 8*x8^2 - x8"};
+  const Interval first(0x1.ffffffffffff8p-5, 0x1.0000000000008p-4);
+  const Interval last(2 * first.lower, 2 * first.upper);
+  const Box box = {first,
+                   first,
+                   first,
+                   {-0x1.36a3e9e85bd1dp-104, 0x1.36a3e9e85bd1dp-104},
+                   {-0x1.39812bf9b037dp-104, 0x1.39812bf9b037dp-104},
+                   {-0x1.413b95c7d78ebp-104, 0x1.413b95c7d78eap-104},
+                   {-0x1.39efda2c9b256p-104, 0x1.39efda2c9b256p-104},
+                   last};
+  const EquationSystem system = system_of(names, equations, Box(8, Interval(-1, 1)));
+  EXPECT_TRUE(verify_root(system, box, box));
+  Box beside = box;
+  beside[3] = Interval(0x1p-104, 0x1p-103);
+  EXPECT_FALSE(verify_root(system, beside, beside));
+}
+
 }  // namespace
 }  // namespace gcslab
