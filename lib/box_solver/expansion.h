@@ -32,7 +32,7 @@ struct ScaledMonomial {
   std::vector<Factor> factors;
 
   bool operator==(const ScaledMonomial&) const = default;
-  auto operator<=>(const ScaledMonomial&) const = default;
+  auto operator<=>(const ScaledMonomial&) const = default;  // NOLINT: a false alarm about nullptr
 };
 
 /// One row: values for some columns, ascending.

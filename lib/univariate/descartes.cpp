@@ -85,7 +85,7 @@ class Isolation {
     node.lower_is_done = node.lower_is_done || numbers[0].lower() > 0 || numbers[0].upper() < 0;
     const bool is_settled = node.lower_is_done && settle(node, variations);
     if (is_settled || (variations.least < 2 && settle(node, convert(node)))) return;
-    halve(std::move(node));
+    halve(node);
   }
 
   /// Whether the sign variations tell how many roots the open interval contains; one is listed.
@@ -107,7 +107,7 @@ class Isolation {
   }
 
   /// The left half is searched first.
-  void halve(Node node) {
+  void halve(const Node& node) {
     ++found_.counts.halvings;
     const Rational middle = (node.lower + node.upper) / 2;
     Node left{node.lower, middle, {}, node.lower_is_done};

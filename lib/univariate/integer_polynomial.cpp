@@ -72,7 +72,7 @@ IntegerPolynomial operator-(const IntegerPolynomial& a, const IntegerPolynomial&
   return IntegerPolynomial(std::move(result));
 }
 
-IntegerPolynomial exact_quotient(IntegerPolynomial a, const IntegerPolynomial& b) {
+IntegerPolynomial exact_quotient(const IntegerPolynomial& a, const IntegerPolynomial& b) {
   GCSLAB_CHECK(!b.is_zero());
   std::vector<mpz_class> rest = a.coefficients();
   const std::size_t length = b.coefficients().size();

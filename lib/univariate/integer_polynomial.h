@@ -44,7 +44,7 @@ class IntegerPolynomial {
 IntegerPolynomial operator*(const IntegerPolynomial& a, const IntegerPolynomial& b);
 IntegerPolynomial operator-(const IntegerPolynomial& a, const IntegerPolynomial& b);
 /// a / b, which must be a polynomial with integer coefficients.
-IntegerPolynomial exact_quotient(IntegerPolynomial a, const IntegerPolynomial& b);
+IntegerPolynomial exact_quotient(const IntegerPolynomial& a, const IntegerPolynomial& b);
 /// The primitive polynomial with the same roots; zero for zero.
 IntegerPolynomial primitive_part(const IntegerPolynomial& a);
 /// The primitive polynomial with the roots of a polynomial in one variable.

@@ -167,7 +167,7 @@ TEST_P(LpBackendContract, GoesFromInfeasibleToFeasibleModels) {
   const LinearTerm objective{0, 1.0};
   backend->load(polytope.model());
   const double before = backend->minimise({&objective, 1}).objective;
-  const LpModel feasible = polytope.model();
+  const LpModel& feasible = polytope.model();
   LpModel infeasible = feasible;
   infeasible.set_sides(0, {100, 101});
   backend->load(infeasible);
