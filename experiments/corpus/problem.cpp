@@ -140,7 +140,7 @@ std::string problem_content_hash(const std::filesystem::path& path) {
   for (const Expression& inequality : system.inequalities)
     text += "\n0 >= " + to_text(inequality, system.variables);
   for (const Interval& side : system.box) text += fmt::format("\n[{:a}, {:a}]", side.lower, side.upper);
-  for (const auto& [name, value] : problem.known.published) text += "\n" + name + " = " + value;
+  for (const auto& [name, value] : problem.known.published) text += fmt::format("\n{} = {}", name, value);
   return content_hash(text);
 }
 

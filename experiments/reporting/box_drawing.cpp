@@ -174,7 +174,7 @@ std::string box_counts_text(const SearchPicture& picture, double room) {
   for (const RecordedBox& box : picture.boxes) reductions += static_cast<std::uint64_t>(box.reductions);
   const std::string boxes = counted(picture.told, "box", "boxes");
   const std::string roots = counted(picture.roots.size(), "root", "roots");
-  const std::string whole = boxes + ", " + counted(reductions, "reduction", "reductions") + ", " + roots;
+  std::string whole = boxes + ", " + counted(reductions, "reduction", "reductions") + ", " + roots;
   if (picture.told == picture.boxes.size() && text_width(whole) <= room) return whole;
   return text_width(boxes + ", " + roots) <= room ? boxes + ", " + roots : boxes;
 }

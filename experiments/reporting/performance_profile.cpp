@@ -101,8 +101,10 @@ class ProfileFigure {
 
   PanelBox box_of(std::size_t index) const {
     const auto column = static_cast<double>(index % per_line_);
-    const auto line = static_cast<double>(index / per_line_);
-    const double top = figure_.height - line * (title_height_ + panel_height_ + kAxisHeight) - title_height_;
+    const std::size_t line = index / per_line_;
+    const double top = figure_.height -
+                       static_cast<double>(line) * (title_height_ + panel_height_ + kAxisHeight) -
+                       title_height_;
     return {kLeft + column * (panel_width_ + kGap), top - panel_height_, panel_width_, panel_height_};
   }
 

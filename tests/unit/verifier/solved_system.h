@@ -145,7 +145,8 @@ inline SolvedSystem solved(const EquationSystem& system, const std::string& cont
 /// All refusals, for messages of tests.
 inline std::string refusals_of(const VerificationReport& report) {
   std::string text;
-  for (const auto& [where, reason] : report.refusals) text += where + ": " + reason + "\n";
+  for (const auto& [where, reason] : report.refusals)
+    text.append(where).append(": ").append(reason).append("\n");
   return text;
 }
 
