@@ -49,7 +49,7 @@ int degree_of(const ScaledMonomial& monomial) {
   return degree;
 }
 
-ScaledMonomial product_of(const ScaledMonomial& a, const ScaledMonomial& b) {
+ScaledMonomial times(const ScaledMonomial& a, const ScaledMonomial& b) {
   std::map<std::uint32_t, int> powers;
   for (const ScaledMonomial* monomial : {&a, &b}) {
     for (const auto& [variable, power] : monomial->factors) powers[variable] += power;
@@ -174,31 +174,51 @@ void BernsteinPolytope::add_complements() {
 
 /// The row, if all its monomials have columns.
 void BernsteinPolytope::add_row(const ProductRow& row) {
-  std::map<ScaledMonomial, double> sum;
-  const ScaledMonomial one;
-  if (row.is_square) {
-    for (const SignedColumn& a : row.factors) {
-      for (const SignedColumn& b : row.factors)
-        sum[product_of(columns_[a.column], columns_[b.column])] += a.sign * b.sign;
-    }
-  } else {
-    sum[one] = 1;
-    for (const auto& [column, sign] : row.factors) {
-      for (const auto& [monomial, coefficient] : std::map(sum))
-        sum[product_of(monomial, columns_[column])] += sign * coefficient;
-    }
-  }
-  const double least = row.is_square ? 0 : -sum[one];
-  sum.erase(one);
+  const MonomialSum sum = row.is_square ? square_of(row) : product_of(row);
+  double constant = 0;
   std::vector<LinearTerm> terms;
-  for (const auto& [monomial, coefficient] : sum) {
-    if (coefficient == 0) continue;
+  for (const auto& [monomial, coefficient] : sum.terms()) {
+    if (monomial.factors.empty()) constant = coefficient;
+    if (monomial.factors.empty() || coefficient == 0) continue;
     const auto column = column_of(monomial);
     if (!column) return;
     terms.push_back({static_cast<int>(*column), coefficient});
   }
-  model_.add_row(terms, Interval(least, kInfinity));
+  model_.add_row(terms, Interval(-constant, kInfinity));
   meanings_.push_back(row);
+}
+
+MonomialSum BernsteinPolytope::product_of(const ProductRow& row) const {
+  MonomialSum sum;
+  sum.add({}, 1);
+  for (const auto& [column, sign] : row.factors) {
+    const std::vector<MonomialSum::Term> terms = sum.terms();
+    for (const auto& [monomial, coefficient] : terms)
+      sum.add(times(monomial, columns_[column]), sign * coefficient);
+  }
+  return sum;
+}
+
+MonomialSum BernsteinPolytope::square_of(const ProductRow& row) const {
+  MonomialSum sum;
+  for (const SignedColumn& a : row.factors) sum.add(times(columns_[a.column], columns_[a.column]), 1);
+  for (std::size_t i = 0; i < row.factors.size(); ++i) {
+    for (std::size_t j = i + 1; j < row.factors.size(); ++j) {
+      const auto& [a, s] = row.factors[i];
+      const auto& [b, t] = row.factors[j];
+      sum.add(times(columns_[a], columns_[b]), 2 * s * t);
+    }
+  }
+  return sum;
+}
+
+void MonomialSum::add(const ScaledMonomial& monomial, double coefficient) {
+  const auto found = std::ranges::find(terms_, monomial, &Term::first);
+  if (found == terms_.end()) {
+    terms_.emplace_back(monomial, coefficient);
+  } else {
+    found->second += coefficient;
+  }
 }
 
 void BernsteinPolytope::refill(const Expansion<FastInterval>& expansion) {

@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "box_solver/expansion.h"
@@ -45,6 +46,18 @@ struct ProductRow {
   bool is_square = false;
 };
 
+/// A polynomial of z by its monomials, in the order in which they came.
+class MonomialSum {
+ public:
+  using Term = std::pair<ScaledMonomial, double>;
+
+  void add(const ScaledMonomial& monomial, double coefficient);
+  const std::vector<Term>& terms() const { return terms_; }
+
+ private:
+  std::vector<Term> terms_;
+};
+
 class BernsteinPolytope {
  public:
   /// How many LP columns it takes.
@@ -71,6 +84,8 @@ class BernsteinPolytope {
   void add_bound_factors();
   void add_complements();
   void add_row(const ProductRow& row);
+  MonomialSum product_of(const ProductRow& row) const;
+  MonomialSum square_of(const ProductRow& row) const;
   std::optional<std::size_t> column_of(const ScaledMonomial& monomial) const;
 
   const ExpansionPlan* plan_;
