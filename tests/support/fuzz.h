@@ -2,6 +2,7 @@
 
 // How much random testing to do, and from which seed.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,10 +11,13 @@
 
 namespace gcslab {
 
-/// The number of random cases: GCSLAB_FUZZ_CASES, or the default of the test.
+/// The number of random cases: GCSLAB_FUZZ_CASES, or the default of the test; never more than GCSLAB_FUZZ_AT_MOST, by which
+/// slow builds do less of what is much without doing more of what is little.
 inline std::size_t fuzz_cases(std::size_t default_cases) {
-  const char* text = std::getenv("GCSLAB_FUZZ_CASES");
-  return text == nullptr ? default_cases : std::stoull(text);
+  const char* cases = std::getenv("GCSLAB_FUZZ_CASES");
+  const char* at_most = std::getenv("GCSLAB_FUZZ_AT_MOST");
+  const std::size_t wanted = cases == nullptr ? default_cases : std::stoull(cases);
+  return at_most == nullptr ? wanted : std::min<std::size_t>(wanted, std::stoull(at_most));
 }
 
 /// The seed of random cases: GCSLAB_FUZZ_SEED, or 1. Printed, so that a failure can be repeated.
