@@ -82,7 +82,9 @@ const Registry<ContractorVariant>& contractor_registry() {
            "for each variable the least-squares combination of the expanded equations, solved for it",
            &make_multipliers},
           {"lp_reduction",
-           "least and largest value of each variable over the Bernstein polytope (Tahari 2011, section 5)",
+           "least and largest value of each variable over the Bernstein polytope (Tahari 2011, section 5); "
+           "terms that "
+           "are no polynomials are variables in strips around their graphs",
            &make_lp_reduction},
           {"newton",
            "interval Newton: the mean value form, preconditioned by the midpoint inverse, solved row by row "

@@ -17,11 +17,11 @@ namespace gcslab {
 /// What contractors may be made with. Each reads what concerns it.
 struct ContractorSettings {
   Arithmetic arithmetic = Arithmetic::fast;
-  int bits = 53;                      ///< of the arithmetic `mpfr`
-  double propagation_ratio = 0.1;     ///< a change of a side below this part of it wakes no function
-  std::string lp = "simplex";         ///< the solver of linear programs
-  std::string lp_safety = "dual";     ///< what is believed of its answers
-  std::string lp_products = "pairs";  ///< which products of bound factors the polytope has
+  int bits = 53;                        ///< of the arithmetic `mpfr`
+  double propagation_ratio = 0.1;       ///< a change of a side below this part of it wakes no function
+  std::string lp = "simplex";           ///< the solver of linear programs
+  std::string lp_safety = "dual";       ///< what is believed of its answers
+  std::string lp_products = "factors";  ///< which products of bound factors the polytope has
   std::size_t maximum_coefficients = std::size_t{1} << 20;  ///< of all Bernstein tensors together
   double fixpoint_ratio = 0.2;  ///< a round is repeated while it shrinks some side by this part
 };

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "box_solver/term_ranges.h"
 #include "interval/fast_interval.h"
 #include "linear_program/lp_registry.h"
 
@@ -18,11 +19,14 @@ Expansion<FastInterval> made_in_scope(const ExpansionPlan& plan) {
 class LpReductionContractor final : public Contractor {
  public:
   LpReductionContractor(const SystemFunctions& functions, const LpReductionSettings& settings)
-      : plan_(functions, ExpandedFunctions::constraints),
+      : system_(functions),
+        terms_(system_),
+        plan_(system_.functions(), ExpandedFunctions::constraints),
         expansion_(made_in_scope(plan_)),
         backend_(lp_registry().at(settings.backend)),
         products_(settings.products),
-        options_{.safety = settings.safety, .negligible_gain = 1e-3} {}
+        options_{.safety = settings.safety, .negligible_gain = 1e-3},
+        strips_(terms_.graphs().size()) {}
 
   /// Two programs a variable, each with steps in proportion to the columns; a step updates an inverse, in
   /// plain vector arithmetic.
@@ -31,18 +35,16 @@ class LpReductionContractor final : public Contractor {
     constexpr double kVectorised = 0.1;
     const auto columns = static_cast<double>(BernsteinPolytope::columns_for(plan_));
     const double step = columns * columns;
-    return kVectorised * 2 * static_cast<double>(box_variables()) * kStepsPerColumn * columns * step;
+    return kVectorised * 2 * static_cast<double>(variables()) * kStepsPerColumn * columns * step;
   }
 
   bool contract(Box& box, ProofTrace& trace) override {
     if (!std::ranges::all_of(box, is_bounded)) return true;
-    {
-      const NumberTraits<FastInterval>::Scope scope;
-      expansion_.expand(box);
-    }
-    if (!polytope_) polytope_.emplace(plan_, products_);
-    polytope_->refill(expansion_);
-    trace.add({Argument::expansion});
+    const Box lifted = terms_.lift(box);
+    if (!std::ranges::all_of(lifted, is_bounded)) return true;
+    fill_polytope(lifted);
+    trace.add(
+        {.argument = Argument::expansion, .terms = Box(lifted.begin() + std::ssize(box), lifted.end())});
     options_.keep_certificates = trace.wanted();
     // A solver of its own for each box: one that starts from an earlier box's basis would answer differently
     // after other boxes.
@@ -58,6 +60,19 @@ class LpReductionContractor final : public Contractor {
   }
 
  private:
+  void fill_polytope(const Box& lifted) {
+    {
+      const NumberTraits<FastInterval>::Scope scope;
+      expansion_.expand(lifted);
+    }
+    if (!polytope_) polytope_.emplace(plan_, products_, terms_.graphs());
+    polytope_->refill(expansion_);
+    for (std::size_t g = 0; g < terms_.graphs().size(); ++g) {
+      strips_[g] = terms_.strips(g, lifted);
+      polytope_->refill_strips(g, strips_[g], expansion_);
+    }
+  }
+
   bool take_over(const LpReductionResult& result, Box& box, ProofTrace& trace) {
     for (std::size_t i = 0; i < box.size(); ++i) {
       const Interval z = result.bounds[i];
@@ -106,6 +121,8 @@ class LpReductionContractor final : public Contractor {
     if (number < plan_.rows()) {
       if (!plan_.is_inequality(number) || multiplier < 0)
         step.multipliers[number] = multiplier * polytope_->scale(number);
+    } else if (number >= polytope_->first_strip()) {
+      add_strip(number, multiplier, step);
     } else if (multiplier > 0) {
       const ProductRow& product = polytope_->products()[number - plan_.rows()];
       ProductMultiplier proof{{}, product.is_square, multiplier};
@@ -115,6 +132,15 @@ class LpReductionContractor final : public Contractor {
     }
   }
 
+  void add_strip(std::size_t row, double multiplier, ProofStep& step) const {
+    if (multiplier == 0) return;
+    const std::size_t strip = row - polytope_->first_strip();
+    const std::size_t graph = strip / kStripsOfGraph;
+    const std::size_t term = terms_.graphs()[graph].value - variables();
+    step.strips.push_back({static_cast<std::uint32_t>(term), strips_[graph][strip % kStripsOfGraph].slope,
+                           multiplier * polytope_->scale(row)});
+  }
+
   std::vector<std::uint32_t> variables_of(std::size_t column) const {
     std::vector<std::uint32_t> result;
     for (const auto& [variable, power] : plan_.columns()[column].factors)
@@ -122,14 +148,17 @@ class LpReductionContractor final : public Contractor {
     return result;
   }
 
-  std::size_t box_variables() const { return plan_.functions().variables(); }
+  std::size_t variables() const { return system_.variables(); }
 
+  LiftedSystem system_;
+  TermRanges terms_;
   ExpansionPlan plan_;
   Expansion<FastInterval> expansion_;
   std::optional<BernsteinPolytope> polytope_;  ///< made when first needed
   const LpBackendVariant& backend_;
   BoundProducts products_;
   LpReductionOptions options_;
+  std::vector<StripsOfGraph> strips_;  ///< one entry a graph
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace gcslab {
 struct LpReductionSettings {
   std::string backend = "simplex";  ///< a registered solver of linear programs
   LpSafety safety = LpSafety::dual;
-  BoundProducts products = BoundProducts::pairs;
+  BoundProducts products = BoundProducts::factors;
 };
 
 /// LP reduction: each side of the box is moved to the least and largest value of its variable over the

@@ -1,6 +1,7 @@
 #include "box_solver/polytope.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -89,13 +90,19 @@ BoundProducts bound_products_from_name(const std::string& name) {
   throw InputError("lp_products is '" + name + "'; expected one of pairs, factors, both");
 }
 
-BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products)
-    : plan_(&plan), columns_(std::span(plan.columns()).first(columns_for(plan))), products_(products) {
+BernsteinPolytope::BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products,
+                                     std::span<const GraphColumns> graphs)
+    : plan_(&plan),
+      columns_(std::span(plan.columns()).first(columns_for(plan))),
+      products_(products),
+      graphs_(graphs.begin(), graphs.end()) {
   add_columns();
   add_functions();
   add_pairs();
   if (products_ != BoundProducts::pairs) add_bound_factors();
   add_complements();
+  add_strips();
+  scales_.assign(static_cast<std::size_t>(model_.rows()), 1);
 }
 
 void BernsteinPolytope::add_columns() {
@@ -172,6 +179,14 @@ void BernsteinPolytope::add_complements() {
   }
 }
 
+/// Their numbers come with `refill_strips`.
+void BernsteinPolytope::add_strips() {
+  for (const auto& [value, argument] : graphs_) {
+    const std::array<LinearTerm, 2> terms = {{{static_cast<int>(value), 1}, {static_cast<int>(argument), 1}}};
+    for (std::size_t i = 0; i < kStripsOfGraph; ++i) model_.add_row(terms, Interval::entire());
+  }
+}
+
 /// The row, if all its monomials have columns.
 void BernsteinPolytope::add_row(const ProductRow& row) {
   const MonomialSum sum = row.is_square ? square_of(row) : product_of(row);
@@ -223,13 +238,13 @@ void MonomialSum::add(const ScaledMonomial& monomial, double coefficient) {
 
 void BernsteinPolytope::refill(const Expansion<FastInterval>& expansion) {
   const NumberTraits<FastInterval>::Scope scope;
-  scales_.assign(plan_->rows(), 1);
   for (std::size_t k = 0; k < plan_->rows(); ++k) refill_row(k, expansion.row(k));
 }
 
 void BernsteinPolytope::refill_row(std::size_t k, const ExpansionRow<FastInterval>& row) {
   const int number = static_cast<int>(k);
   coefficients_.clear();
+  scales_[k] = 1;
   if (!is_usable(row)) {
     const auto has_column = [&](std::uint32_t column) { return column < columns_.size(); };
     coefficients_.assign(static_cast<std::size_t>(std::ranges::count_if(row.columns, has_column)),
@@ -251,6 +266,33 @@ void BernsteinPolytope::refill_row(std::size_t k, const ExpansionRow<FastInterva
   model_.set_coefficients(number, coefficients_);
   const double least = plan_->is_inequality(k) ? -kInfinity : -rest.interval().upper;
   model_.set_sides(number, Interval(least, -rest.interval().lower));
+}
+
+/// t - s x = (m_t + r_t z_t) - s (m_x + r_x z_x), with what rounding makes of the coefficients in the sides.
+void BernsteinPolytope::refill_strips(std::size_t graph, const StripsOfGraph& strips,
+                                      const Expansion<FastInterval>& about) {
+  const NumberTraits<FastInterval>::Scope scope;
+  const auto& [value, argument] = graphs_[graph];
+  const double height = about.radii()[value];
+  std::size_t row = first_strip() + graph * kStripsOfGraph;
+  for (const auto& [slope, range] : strips) {
+    const double width = slope * about.radii()[argument];
+    const double largest = std::max(std::abs(height), std::abs(width));
+    const bool is_usable = is_bounded(range) && largest > 0x1p-600 && largest < 0x1p600;
+    const double scale = is_usable ? std::ldexp(1, -std::ilogb(largest)) : 1;
+    const FastInterval s(slope);
+    const FastInterval rest =
+        FastInterval(about.midpoints()[value]) - s * FastInterval(about.midpoints()[argument]);
+    const FastInterval error =
+        (FastInterval(width) - s * FastInterval(about.radii()[argument])) * FastInterval(-1, 1);
+    const FastInterval sides = scaled(scale, FastInterval(range) - rest - error);
+    const std::array<Interval, 2> coefficients = {Interval(is_usable ? scale * height : 0),
+                                                  Interval(is_usable ? -scale * width : 0)};
+    scales_[row] = scale;
+    model_.set_coefficients(static_cast<int>(row), coefficients);
+    model_.set_sides(static_cast<int>(row), is_usable ? sides.interval() : Interval::entire());
+    ++row;
+  }
 }
 
 }  // namespace gcslab

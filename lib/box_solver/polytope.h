@@ -7,9 +7,10 @@
 // variables z of [-1, 1]^n; monomials that occur in inequalities alone get one when they are few, or when the
 // equations do not determine the variables. Rows: each expanded function; products of bound factors 1 +- z^a,
 // as far as their monomials occur: for every product column z^a z^b of two others the four (1 +- z^a)
-// (1 +- z^b) >= 0, for every square (1 +- z^a)^2 >= 0, or products of more factors (BoundProducts); and the
-// complements (z_i +- z_j)^2 >= 0. Coefficients are single numbers: what an interval
-// coefficient is wider than that, and monomials without column, are in the sides of the row.
+// (1 +- z^b) >= 0, for every square (1 +- z^a)^2 >= 0, or products of more factors (BoundProducts); the
+// complements (z_i +- z_j)^2 >= 0; and the strips around graphs t = phi(x) of two variables. Coefficients are
+// single numbers: what an interval coefficient is wider than that, and monomials without column, are in the
+// sides of the row.
 //
 // Promise: every solution of the system in the box stands for a feasible point of the model.
 
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "box_solver/expansion.h"
+#include "box_solver/term_ranges.h"
 #include "interval/fast_interval.h"
 #include "linear_program/lp_model.h"
 
@@ -64,16 +66,21 @@ class BernsteinPolytope {
   static std::size_t columns_for(const ExpansionPlan& plan);
 
   /// `plan` must outlive it.
-  explicit BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products = BoundProducts::pairs);
+  explicit BernsteinPolytope(const ExpansionPlan& plan, BoundProducts products = BoundProducts::factors,
+                             std::span<const GraphColumns> graphs = {});
 
   /// Writes the functions of an expansion about the box that the z scale; only numbers change.
   void refill(const Expansion<FastInterval>& expansion);
+  /// Writes the strips of a graph over that box.
+  void refill_strips(std::size_t graph, const StripsOfGraph& strips, const Expansion<FastInterval>& about);
 
   const LpModel& model() const { return model_; }
-  /// The factor by which function k was multiplied in its row, which is row k.
-  double scale(std::size_t function) const { return scales_[function]; }
+  /// The factor by which a row of numbers that change was multiplied: function k, which is row k, or a strip.
+  double scale(std::size_t row) const { return scales_[row]; }
   /// What the rows after the functions say, in their order.
   const std::vector<ProductRow>& products() const { return meanings_; }
+  /// The rows after these: kStripsOfGraph for each graph.
+  std::size_t first_strip() const { return plan_->rows() + meanings_.size(); }
 
  private:
   void add_columns();
@@ -83,6 +90,7 @@ class BernsteinPolytope {
   void add_pair(std::size_t first, std::size_t second);
   void add_bound_factors();
   void add_complements();
+  void add_strips();
   void add_row(const ProductRow& row);
   MonomialSum product_of(const ProductRow& row) const;
   MonomialSum square_of(const ProductRow& row) const;
@@ -93,7 +101,8 @@ class BernsteinPolytope {
   BoundProducts products_;
   LpModel model_;
   std::vector<ProductRow> meanings_;
-  std::vector<double> scales_;
+  std::vector<GraphColumns> graphs_;
+  std::vector<double> scales_;  ///< one a row
   std::vector<Interval> coefficients_;
 };
 

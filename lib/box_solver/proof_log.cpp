@@ -95,6 +95,13 @@ void ProofLog::begin(const Box& search_box) {
   write(line_);
 }
 
+void ProofLog::term(const ExpressionPlace& place) {
+  line_ = place.is_equation ? "term equation" : "term inequality";
+  append_integer(line_, place.function);
+  for (const int operand : place.operands) append_integer(line_, operand);
+  write(line_);
+}
+
 void ProofLog::start(std::uint64_t id, const Box& box) {
   line_ = "start";
   append_integer(line_, id);
@@ -115,6 +122,8 @@ void ProofLog::step(const ProofStep& step) {
   line_ = name_of(step.argument);
   switch (step.argument) {
     case Argument::expansion:
+      append_box(line_, step.terms);
+      break;
     case Argument::otherwise:
     case Argument::join:
       break;
@@ -137,6 +146,13 @@ void ProofLog::step(const ProofStep& step) {
     for (const SignedMonomial& factor : product.factors) append_signed(line_, factor);
     line_ += " :";
     append_number(line_, product.multiplier);
+  }
+  for (const StripMultiplier& strip : step.strips) {
+    line_ += " g";
+    append_integer(line_, strip.term);
+    append_number(line_, strip.slope);
+    line_ += " :";
+    append_number(line_, strip.multiplier);
   }
   write(line_);
 }

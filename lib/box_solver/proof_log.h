@@ -5,12 +5,17 @@
 // One line an event, numbers as hexadecimal floats, variables and functions by number from 0:
 //   gcslab-proof 1
 //   box LO HI ...                 the search box, one pair a variable
+//   term equation K I ...         or inequality: term number 0, 1, .. is an expression of that function,
+//   found
+//                                 from it by the numbers of operands I; it stands for a variable that follows
+//                                 those of the system, wherever it occurs (lifted_system.h)
 //   start ID LO HI ...            a box that the search starts from
 //   root R LO HI ... U LO HI ...  root number R: its box and its uniqueness box, proved on their own
 //   node ID                       what was done with box ID, in this order:
 //     hull_equation K V LO HI        forward-backward propagation through equation K narrows variable V
 //     hull_inequality K V LO HI
-//     expansion                      expansions are about the midpoint of the box as it is now
+//     expansion LO HI ...            expansions are about the midpoint of the box as it is now; with a side
+//                                    for each term or none
 //     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
 //     square_row V LO HI C ...       the same, solved for the square of z_V
 //     polytope V LO HI C ... ; P ... with f_k about the midpoint at `expansion`, in z of [-1, 1]^n, first of
@@ -19,7 +24,10 @@
 //                                    + for LO, - for HI; without z_V, a positive bound shows "empty".
 //                                    P is "p SA ... : M", M times the product of all 1 + S z^A, or "s SA ...
 //                                    : M", M times the square of the sum of S z^A, with S a sign and A the
-//                                    variables of a monomial, joined by *
+//                                    variables of a monomial, joined by *. After an `expansion` with terms
+//                                    V, C, P are about the lifted system, and strips may follow: "g T S : M",
+//                                    |M| times lower <= t_T - S x, or t_T - S x <= upper where M < 0, over
+//                                    the side of the argument x of t_T
 //     mean_value_row V LO HI C ...   0 = C f(m) + C J (x - m), with m and J of the box at `expansion`
 //     bernstein_row V LO HI C ...    C f has no zero with x_V outside [LO, HI] in the box at `expansion`: its
 //                                    Bernstein form there, seen along V, is positive or negative
@@ -47,6 +55,7 @@
 #include <string_view>
 
 #include "base/content_hash.h"
+#include "box_solver/lifted_system.h"
 #include "box_solver/proof_step.h"
 #include "certification/root_certificate.h"
 
@@ -58,6 +67,7 @@ class ProofLog {
   explicit ProofLog(std::ostream& out) : out_(&out) {}
 
   void begin(const Box& search_box);
+  void term(const ExpressionPlace& place);
   void start(std::uint64_t id, const Box& box);
   void root(std::size_t number, const CertifiedRoot& root);
   void node(std::uint64_t id, const ProofTrace& trace);

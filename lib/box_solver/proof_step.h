@@ -21,8 +21,10 @@ enum class Argument : std::uint8_t {
   expansion,           ///< from here on, expansions are about the midpoint of the box as it is now
   expansion_row,       ///< the expansion of sum multipliers[k] f_k, solved for the variable
   square_row,          ///< the expansion of sum multipliers[k] f_k, solved for the square of the variable
-  polytope,        ///< equations, inequalities and products of bound factors, summed with multipliers, bound
-                   ///< the variable; the multipliers of inequalities follow those of equations and are <= 0
+  polytope,        ///< equations, inequalities, products of bound factors and strips around graphs, summed
+                   ///< with multipliers, bound the variable; the multipliers of inequalities follow those of
+                   ///< equations and are <= 0. Where the last `expansion` names sides of terms, the functions
+                   ///< are those of the lifted system (lifted_system.h)
   mean_value_row,  ///< the mean value form of sum multipliers[k] f_k over the box of the last `expansion`
   bernstein_row,   ///< the Bernstein form of the same over that box, seen along the variable
   cases,      ///< the steps up to `otherwise` are about the part where the variable is at most result.lower
@@ -47,6 +49,14 @@ struct ProductMultiplier {
   double multiplier;
 };
 
+/// A strip lower <= t - slope x <= upper around the graph of term t over its argument x; a positive
+/// multiplier is that of the lower side, a negative one that of the upper.
+struct StripMultiplier {
+  std::uint32_t term;
+  double slope;
+  double multiplier;
+};
+
 /// Cases nest. A part that a step shows to have no root has no further steps.
 struct ProofStep {
   Argument argument;
@@ -55,6 +65,8 @@ struct ProofStep {
   Interval result{};  ///< of the variable; empty: the box has no root; `cases`: the border
   std::vector<double> multipliers{};
   std::vector<ProductMultiplier> products{};  ///< of `polytope`
+  std::vector<StripMultiplier> strips{};      ///< of `polytope`
+  Box terms{};                                ///< of `expansion`: sides that contain the terms of the system
 };
 
 /// Collects the steps taken on one box, when somebody wants them.

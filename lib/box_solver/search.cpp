@@ -4,6 +4,7 @@
 
 #include "box_solver/box_clusters.h"
 #include "box_solver/inequality_check.h"
+#include "box_solver/lifted_system.h"
 #include "box_solver/node_processor.h"
 #include "box_solver/worker_pool.h"
 #include "certification/root_certifier.h"
@@ -53,7 +54,10 @@ class Search {
         }) {}
 
   SearchResult run(SearchStart start, const std::stop_token& stop, SearchObserver* observer) {
-    if (options_.proof != nullptr) options_.proof->begin(search_box_);
+    if (options_.proof != nullptr) {
+      options_.proof->begin(search_box_);
+      for (const Term& term : terms_of(functions_)) options_.proof->term(term.place);
+    }
     for (const CertifiedRoot& root : start.roots) enter_root(root);
     result_.undecided = std::move(start.undecided);
     const double share = 1.0 / static_cast<double>(start.boxes.size());

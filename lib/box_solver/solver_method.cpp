@@ -38,7 +38,7 @@ std::vector<OptionSpec> SolverMethod::options() const {
       choice_option("lp_products",
                     "products of bound factors in the polytope, from degree 3 on: of pairs of columns, of a "
                     "factor for each variable, or both",
-                    "pairs", {"pairs", "factors", "both"}),
+                    "factors", {"pairs", "factors", "both"}),
       choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
                     bisection_registry().names()),
       OptionSpec{"certifier",
@@ -76,9 +76,8 @@ const Registry<SolverMethod>& solver_method_registry() {
       {
           {"adaptive",
            "hull consistency and least-squares multipliers while they gain; constructive disjunction and "
-           "linear "
-           "programs where they have paid",
-           1, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?"},
+           "linear programs where they have paid",
+           2, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?"},
           {"interval_newton",
            "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 1, "newton"},
           {"krawczyk", "Krawczyk's operator", 1, "krawczyk"},
@@ -89,7 +88,7 @@ const Registry<SolverMethod>& solver_method_registry() {
            1, "bernstein_projection"},
           {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 1,
            "mourrain_pavone"},
-          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 1, "lp_reduction"},
+          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 2, "lp_reduction"},
           {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
       });
   return registry;

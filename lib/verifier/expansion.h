@@ -37,6 +37,7 @@ class Expansion {
 
   /// From here on, rows are about the midpoint of that bounded box.
   void expand(const Box& box);
+  const Box& box() const { return box_; }
   const std::vector<double>& midpoints() const { return midpoints_; }
   const std::vector<double>& radii() const { return radii_; }
   /// The row of a function, computed when first asked for.

@@ -4,7 +4,8 @@ namespace gcslab::verifier {
 namespace {
 
 JudgedFunction judged(Expression expression, std::size_t variables) {
-  JudgedFunction result{Program(expression, variables), polynomial_terms(expression, variables), -1};
+  JudgedFunction result{expression, Program(expression, variables), polynomial_terms(expression, variables),
+                        -1};
   if (result.polynomial) result.degree = total_degree(*result.polynomial);
   return result;
 }

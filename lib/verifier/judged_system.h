@@ -17,6 +17,7 @@ namespace gcslab::verifier {
 using RangeMatrix = std::vector<std::vector<Range>>;
 
 struct JudgedFunction {
+  Expression expression;
   Program program;
   std::optional<PolynomialTerms> polynomial;
   int degree;  ///< of the polynomial; -1 without one

@@ -55,7 +55,9 @@ void ProofReplay::read_header() {
 
 /// One event; false after the last one.
 bool ProofReplay::read_event(std::string_view word) {
-  if (word == "start") {
+  if (word == "term") {
+    read_term();
+  } else if (word == "start") {
     read_start();
   } else if (word == "root") {
     read_root();
@@ -70,6 +72,21 @@ bool ProofReplay::read_event(std::string_view word) {
     reader_->refuse("'" + std::string(word) + "' is no event of a proof");
   }
   return true;
+}
+
+void ProofReplay::read_term() {
+  const std::string kind(reader_->word());
+  if (kind != "equation" && kind != "inequality")
+    reader_->refuse("'" + kind + "' is neither equation nor inequality");
+  const bool is_equation = kind == "equation";
+  const std::size_t count = (is_equation ? system_->equations() : system_->inequalities()).size();
+  const std::size_t function = reader_->index(count, kind.c_str());
+  std::vector<std::size_t> operands;
+  while (!reader_->at_end_of_line()) operands.push_back(reader_->index(2, "operand"));
+  reader_->end_line();
+  if (next_id_ != 0) reader_->refuse("terms are named before the boxes");
+  if (!judge_.terms().add(is_equation, function, operands))
+    reader_->refuse("there is no such expression, or it is a term already");
 }
 
 void ProofReplay::read_hash() {

@@ -71,6 +71,7 @@ class ProofReplay {
 
   void read_header();
   bool read_event(std::string_view word);
+  void read_term();
   void read_start();
   void read_root();
   void read_node();
@@ -80,11 +81,13 @@ class ProofReplay {
   bool read_step(std::string_view word);
   void read_propagation(bool is_equation);
   /// Variable, claim and, into multipliers_, one multiplier an equation.
-  std::size_t read_claim(Interval& claim);
+  std::size_t read_claim(Interval& claim, std::size_t equations);
   double read_multiplier();
-  PositiveProduct read_product();
-  std::pair<int, Monomial> signed_monomial(std::string_view text);
+  GraphStrip read_strip();
+  PositiveProduct read_product(std::string_view kind, std::size_t variables);
+  std::pair<int, Monomial> signed_monomial(std::string_view text, std::size_t variables);
   void read_row(std::string_view word);
+  void read_expansion();
   void read_polytope();
   void open_cases();
   void open_other_case();

@@ -1,5 +1,6 @@
 // The steps inside a node of a proof.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -22,11 +23,7 @@ bool ProofReplay::read_step(std::string_view word) {
   } else if (word == "hull_equation" || word == "hull_inequality") {
     read_propagation(word == "hull_equation");
   } else if (word == "expansion") {
-    reader_->end_line();
-    for (const Interval& side : part_.box) {
-      if (!is_bounded(side)) reader_->refuse("the box is unbounded: it has no midpoint to expand about");
-    }
-    part_.expansion = judge_.expansion_about(part_.box);
+    read_expansion();
   } else if (word == "expansion_row" || word == "square_row" || word == "mean_value_row" ||
              word == "bernstein_row") {
     read_row(word);
@@ -63,11 +60,24 @@ void ProofReplay::read_propagation(bool is_equation) {
   take_claim(variable, claim, judge_.propagate(is_equation, function, variable, part_.box, claim));
 }
 
-std::size_t ProofReplay::read_claim(Interval& claim) {
+void ProofReplay::read_expansion() {
+  Box terms;
+  if (!reader_->at_end_of_line()) terms = reader_->box(judge_.terms().size());
+  reader_->end_line();
+  for (const Box* box : {&part_.box, &terms}) {
+    if (!std::ranges::all_of(*box, is_bounded))
+      reader_->refuse("the box is unbounded: it has no midpoint to expand about");
+  }
+  if (!terms.empty() && !judge_.terms().lie_within(terms, part_.box))
+    reader_->refuse("the sides named do not contain the terms");
+  part_.expansion = judge_.expansion_about(part_.box, std::move(terms));
+}
+
+std::size_t ProofReplay::read_claim(Interval& claim, std::size_t equations) {
   const std::size_t variable = reader_->index(system_->variables(), "variable");
   claim = reader_->interval_or_empty();
   multipliers_.clear();
-  for (std::size_t k = 0; k < system_->equations().size(); ++k) multipliers_.push_back(read_multiplier());
+  for (std::size_t k = 0; k < equations; ++k) multipliers_.push_back(read_multiplier());
   return variable;
 }
 
@@ -79,7 +89,7 @@ double ProofReplay::read_multiplier() {
 
 void ProofReplay::read_row(std::string_view word) {
   Interval claim;
-  const std::size_t variable = read_claim(claim);
+  const std::size_t variable = read_claim(claim, system_->equations().size());
   reader_->end_line();
   if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
   if (word == "bernstein_row" && !judge_.bernstein_refusal().empty())
@@ -94,28 +104,44 @@ void ProofReplay::read_row(std::string_view word) {
 }
 
 void ProofReplay::read_polytope() {
+  if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
+  JudgedSystem& functions = judge_.expanded_system(part_.expansion);
   Interval claim;
-  const std::size_t variable = read_claim(claim);
-  for (std::size_t k = 0; k < system_->inequalities().size(); ++k) {
+  const std::size_t variable = read_claim(claim, functions.equations().size());
+  for (std::size_t k = 0; k < functions.inequalities().size(); ++k) {
     multipliers_.push_back(read_multiplier());
     if (multipliers_.back() > 0) reader_->refuse("the multiplier of an inequality is positive");
   }
   reader_->expect(";");
-  std::vector<PositiveProduct> products;
-  while (!reader_->at_end_of_line()) products.push_back(read_product());
+  PolytopeSum sum{multipliers_, {}, {}};
+  while (!reader_->at_end_of_line()) {
+    const std::string_view kind = reader_->word();
+    if (kind == "g") {
+      sum.strips.push_back(read_strip());
+    } else {
+      sum.products.push_back(read_product(kind, functions.variables()));
+    }
+  }
   reader_->end_line();
-  if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
-  take_claim(variable, claim, judge_.polytope(part_.expansion, variable, multipliers_, products, part_.box));
+  take_claim(variable, claim, judge_.polytope(part_.expansion, variable, sum, part_.box));
 }
 
-PositiveProduct ProofReplay::read_product() {
+GraphStrip ProofReplay::read_strip() {
+  if (part_.expansion.terms.empty()) reader_->refuse("the last 'expansion' names no terms");
+  const std::size_t term = reader_->index(judge_.terms().size(), "term");
+  if (!judge_.terms().argument(term)) reader_->refuse("that term is no function of one variable");
+  const double slope = read_multiplier();
+  reader_->expect(":");
+  return {term, slope, read_multiplier()};
+}
+
+PositiveProduct ProofReplay::read_product(std::string_view kind, std::size_t variables) {
   constexpr std::size_t kMaximumFactors = 8;  // 2^8 terms
   PositiveProduct product{};
-  const std::string_view kind = reader_->word();
-  if (kind != "p" && kind != "s") reader_->refuse("'" + std::string(kind) + "' is neither p nor s");
+  if (kind != "p" && kind != "s") reader_->refuse("'" + std::string(kind) + "' is none of p, s, g");
   product.is_square = kind == "s";
   for (std::string_view text = reader_->word(); text != ":"; text = reader_->word())
-    product.factors.push_back(signed_monomial(text));
+    product.factors.push_back(signed_monomial(text, variables));
   if (product.factors.empty()) reader_->refuse("a product without factors");
   if (product.factors.size() > kMaximumFactors) reader_->refuse("a product of too many factors");
   product.multiplier = read_multiplier();
@@ -124,11 +150,11 @@ PositiveProduct ProofReplay::read_product() {
 }
 
 /// A sign, then variables joined by '*', with repetition.
-std::pair<int, Monomial> ProofReplay::signed_monomial(std::string_view text) {
+std::pair<int, Monomial> ProofReplay::signed_monomial(std::string_view text, std::size_t variables) {
   if (text.empty() || (text[0] != '+' && text[0] != '-'))
     reader_->refuse("'" + std::string(text) + "' has no sign");
   std::map<std::uint32_t, int> powers;
-  for (const std::size_t variable : reader_->joined_indices(text.substr(1), system_->variables(), "variable"))
+  for (const std::size_t variable : reader_->joined_indices(text.substr(1), variables, "variable"))
     ++powers[static_cast<std::uint32_t>(variable)];
   return {text[0] == '+' ? 1 : -1, {powers.begin(), powers.end()}};
 }

@@ -62,6 +62,7 @@ class Range {
   mpfr_ptr lower() { return lower_.get(); }
   mpfr_ptr upper() { return upper_.get(); }
   const Real& lower_end() const { return lower_; }
+  const Real& upper_end() const { return upper_; }
   mpfr_srcptr lower() const { return lower_.get(); }
   mpfr_srcptr upper() const { return upper_.get(); }
 

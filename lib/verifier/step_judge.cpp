@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "verifier/projection.h"
 
@@ -11,66 +10,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Monomial times(const Monomial& a, const Monomial& b) {
-  std::map<std::uint32_t, int> powers;
-  for (const Monomial* factor : {&a, &b}) {
-    for (const auto& [variable, power] : *factor) powers[variable] += power;
-  }
-  return {powers.begin(), powers.end()};
-}
-
-/// A polynomial in z by its monomials.
-class MonomialSum {
- public:
-  void add(const Monomial& monomial, const Range& coefficient) {
-    const auto [place, is_new] = coefficients_.try_emplace(monomial, coefficient);
-    if (!is_new) place->second = place->second + coefficient;
-  }
-
-  /// Each monomial bounded on its own over [-1, 1]^n.
-  Range range_over_unit_box() const {
-    Range sum;
-    for (const auto& [monomial, coefficient] : coefficients_) {
-      const bool is_even =
-          std::ranges::all_of(monomial, [](const auto& factor) { return factor.second % 2 == 0; });
-      const Range values = monomial.empty() ? Range(1.0) : Range(is_even ? Interval(0, 1) : Interval(-1, 1));
-      sum = sum + coefficient * values;
-    }
-    return sum;
-  }
-
- private:
-  std::map<Monomial, Range> coefficients_;
-};
-
-/// The terms of a product or square, with their signs; not summed.
-std::vector<std::pair<int, Monomial>> expanded(const PositiveProduct& product) {
-  std::vector<std::pair<int, Monomial>> terms;
-  if (product.is_square) {
-    for (const auto& [s, a] : product.factors) {
-      for (const auto& [t, b] : product.factors) terms.emplace_back(s * t, times(a, b));
-    }
-    return terms;
-  }
-  terms.emplace_back(1, Monomial());
-  for (const auto& [sign, monomial] : product.factors) {
-    const std::size_t count = terms.size();
-    for (std::size_t i = 0; i < count; ++i)
-      terms.emplace_back(terms[i].first * sign, times(terms[i].second, monomial));
-  }
-  return terms;
-}
-
-void subtract(const PositiveProduct& product, MonomialSum& sum) {
-  for (const auto& [sign, monomial] : expanded(product)) sum.add(monomial, Range(-sign * product.multiplier));
-}
-
 }  // namespace
 
 StepJudge::StepJudge(JudgedSystem& system)
     : system_(&system),
       expansion_(system),
       rows_(system.variables()),
+      terms_(system),
       z_(system.variables()),
       forms_(system) {}
 
@@ -96,7 +42,9 @@ Range StepJudge::propagate(bool is_equation, std::size_t function, std::size_t v
   return propagated(variable, box);
 }
 
-ExpansionBox StepJudge::expansion_about(const Box& box) { return {++last_expansion_, box}; }
+ExpansionBox StepJudge::expansion_about(const Box& box, Box terms) {
+  return {++last_expansion_, box, std::move(terms)};
+}
 
 void StepJudge::expand(const ExpansionBox& expansion) {
   if (expanded_ == expansion.number) return;
@@ -134,50 +82,44 @@ CombinedRow& StepJudge::combined(const ExpansionBox& expansion, std::size_t vari
   return kept.row;
 }
 
-Range StepJudge::unscaled(std::size_t variable, const Range& z, const Box& box) const {
-  const Range x = Range(expansion_.midpoints()[variable]) + z * Range(expansion_.radii()[variable]);
+Range StepJudge::unscaled(const Expansion& about, std::size_t variable, const Range& z, const Box& box) {
+  const Range x = Range(about.midpoints()[variable]) + z * Range(about.radii()[variable]);
   return intersection(x, Range(box[variable]));
 }
 
 Range StepJudge::expansion_row(const ExpansionBox& expansion, std::size_t variable,
                                const std::vector<double>& multipliers, const Box& box) {
   const CombinedRow& row = combined(expansion, variable, multipliers, box);
-  return unscaled(variable, row.solve(expansion_, variable, z_), box);
+  return unscaled(expansion_, variable, row.solve(expansion_, variable, z_), box);
 }
 
 Range StepJudge::square_row(const ExpansionBox& expansion, std::size_t variable,
                             const std::vector<double>& multipliers, const Box& box) {
   const CombinedRow& row = combined(expansion, variable, multipliers, box);
-  return unscaled(variable, row.solve_square(expansion_, variable, z_), box);
+  return unscaled(expansion_, variable, row.solve_square(expansion_, variable, z_), box);
 }
 
-/// On solutions c_k f_k is 0 for equations and >= 0 for inequalities, where c_k <= 0; and the products are >=
-/// 0 on [-1, 1]^n. So with R = -sum c_k f_k - sum of products there is no solution where R > 0, and z_i >=
-/// min(R + z_i), z_i <= -min(R - z_i).
-Range StepJudge::polytope(const ExpansionBox& expansion, std::size_t variable,
-                          const std::vector<double>& multipliers,
-                          const std::vector<PositiveProduct>& products, const Box& box) {
-  expand(expansion);
+Range StepJudge::polytope(const ExpansionBox& expansion, std::size_t variable, const PolytopeSum& sum,
+                          const Box& box) {
+  if (expansion.terms.empty()) expand(expansion);
   forget_propagation();
-  MonomialSum rest;
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    if (multipliers[k] == 0) continue;
-    const ExpandedRow& row = expansion_.row(k);
-    rest.add({}, scaled(-multipliers[k], row.constant));
-    for (std::size_t c = 0; c < row.columns.size(); ++c)
-      rest.add(expansion_.columns()[row.columns[c]], scaled(-multipliers[k], row.values[c]));
+  Expansion& about = expansion.terms.empty() ? expansion_ : expand_lifted(expansion);
+  return unscaled(about, variable, polytope_range(about, variable, sum, terms_), box);
+}
+
+Expansion& StepJudge::expand_lifted(const ExpansionBox& expansion) {
+  if (!lifted_expansion_) lifted_expansion_.emplace(terms_.system());
+  if (lifted_expanded_ != expansion.number) {
+    Box lifted = expansion.box;
+    lifted.insert(lifted.end(), expansion.terms.begin(), expansion.terms.end());
+    lifted_expansion_->expand(lifted);
   }
-  for (const PositiveProduct& product : products) subtract(product, rest);
-  const Monomial own{{static_cast<std::uint32_t>(variable), 1}};
-  const auto least_with = [&](double coefficient) {
-    MonomialSum sum = rest;
-    sum.add(own, Range(coefficient));
-    return sum.range_over_unit_box();
-  };
-  if (rest.range_over_unit_box().is_positive()) return Range::empty();
-  const Range above = hull(least_with(1), Range(1.0));     // z_i is at least the lower end
-  const Range below = hull(-least_with(-1), Range(-1.0));  // and at most the upper end of this
-  return unscaled(variable, intersection(intersection(above, below), Range(Interval(-1, 1))), box);
+  lifted_expanded_ = expansion.number;
+  return *lifted_expansion_;
+}
+
+JudgedSystem& StepJudge::expanded_system(const ExpansionBox& expansion) {
+  return expansion.terms.empty() ? *system_ : terms_.system();
 }
 
 std::string StepJudge::bernstein_refusal() const {

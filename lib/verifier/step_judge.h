@@ -14,6 +14,8 @@
 #include "verifier/combined_row.h"
 #include "verifier/expansion.h"
 #include "verifier/judged_system.h"
+#include "verifier/lifted_terms.h"
+#include "verifier/polytope_sum.h"
 
 namespace gcslab::verifier {
 
@@ -21,20 +23,15 @@ namespace gcslab::verifier {
 struct ExpansionBox {
   std::uint64_t number = 0;
   Box box;
-};
-
-/// multiplier times the product of all 1 + sign z^monomial, or with is_square times the square of the sum of
-/// sign z^monomial; signs are -1 or 1, the multiplier is not negative.
-struct PositiveProduct {
-  std::vector<std::pair<int, Monomial>> factors;
-  bool is_square;
-  double multiplier;
+  Box terms;  ///< sides that contain the terms of the system there; empty: expansions know nothing of terms
 };
 
 class StepJudge {
  public:
   /// `system` must outlive it.
   explicit StepJudge(JudgedSystem& system);
+
+  LiftedTerms& terms() { return terms_; }
 
   /// Propagation through an equation or inequality. `claim` is what is hoped for: a propagation on a larger
   /// box that was done before is used where it suffices.
@@ -43,16 +40,17 @@ class StepJudge {
   /// To be called whenever the box may have grown since the last propagation.
   void forget_propagation() { propagated_ = nullptr; }
 
-  ExpansionBox expansion_about(const Box& box);
+  ExpansionBox expansion_about(const Box& box, Box terms = {});
+  /// What an expansion is of: the lifted system where sides of terms are given.
+  JudgedSystem& expanded_system(const ExpansionBox& expansion);
   /// The box lies in the one of the expansion.
   Range expansion_row(const ExpansionBox& expansion, std::size_t variable,
                       const std::vector<double>& multipliers, const Box& box);
   Range square_row(const ExpansionBox& expansion, std::size_t variable,
                    const std::vector<double>& multipliers, const Box& box);
-  /// Multipliers of equations and of products that are nowhere negative bound the variable, or show that
-  /// there is no root: then the range is empty.
-  Range polytope(const ExpansionBox& expansion, std::size_t variable, const std::vector<double>& multipliers,
-                 const std::vector<PositiveProduct>& products, const Box& box);
+  /// Multipliers of the expanded system, of products that are nowhere negative and of strips bound the
+  /// variable, or show that there is no root: then the range is empty.
+  Range polytope(const ExpansionBox& expansion, std::size_t variable, const PolytopeSum& sum, const Box& box);
   Range mean_value_row(const ExpansionBox& expansion, std::size_t variable,
                        const std::vector<double>& multipliers, const Box& box);
   /// Refuses, in words, where the equations have no Bernstein forms: then the text is not empty.
@@ -69,9 +67,10 @@ class StepJudge {
 
   CombinedRow& combined(const ExpansionBox& expansion, std::size_t variable,
                         const std::vector<double>& multipliers, const Box& box);
-  Range unscaled(std::size_t variable, const Range& z, const Box& box) const;
+  static Range unscaled(const Expansion& about, std::size_t variable, const Range& z, const Box& box);
   Range propagated(std::size_t variable, const Box& box) const;
   void expand(const ExpansionBox& expansion);
+  Expansion& expand_lifted(const ExpansionBox& expansion);
   void scale(std::uint64_t expansion, const Box& box);
   void compute_slopes(const ExpansionBox& expansion);
 
@@ -84,6 +83,9 @@ class StepJudge {
   Expansion expansion_;
   std::uint64_t expanded_ = 0;  ///< number of the box that expansion_ is about
   std::vector<KeptRow> rows_;   ///< one a variable
+  LiftedTerms terms_;
+  std::optional<Expansion> lifted_expansion_;
+  std::uint64_t lifted_expanded_ = 0;
   std::uint64_t scaled_ = 0;
   Box scaled_box_;
   RangeBox z_;
