@@ -115,9 +115,13 @@ bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
 }
 
 bool NodeProcessor::escalate(NodeOutcome& outcome) {
-  if (options_->maximum_bits <= kDoubleBits || !is_hidden_by_rounding(outcome.box)) return true;
-  int bits = 2 * 64;
-  for (std::size_t level = 0; bits <= options_->maximum_bits; ++level, bits *= 2) {
+  constexpr int kFirstLevel = 128;
+  if (options_->maximum_bits < kFirstLevel) return true;
+  const bool is_hidden = is_hidden_by_rounding(outcome.box);
+  const bool is_last_chance = certifier_ != nullptr && open_sides(outcome.box).empty();
+  const int maximum_bits = is_hidden ? options_->maximum_bits : is_last_chance ? kFirstLevel : 0;
+  int bits = kFirstLevel;
+  for (std::size_t level = 0; bits <= maximum_bits; ++level, bits *= 2) {
     if (levels_.size() <= level)
       levels_.push_back(std::make_unique<PrecisionLevel>(*functions_, *make_contractor_, options_->certifier,
                                                          scales_, bits));
@@ -126,8 +130,16 @@ bool NodeProcessor::escalate(NodeOutcome& outcome) {
     outcome.found = levels_[level]->certify(outcome.box);
     if (outcome.found || largest_gain(before, outcome.box) > 0.1) return true;
   }
-  ++outcome.stuck;
+  if (is_hidden) ++outcome.stuck;
   return true;
+}
+
+std::vector<std::size_t> NodeProcessor::open_sides(const Box& box) const {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (is_open(i, box[i])) open.push_back(i);
+  }
+  return open;
 }
 
 bool NodeProcessor::is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const {
@@ -175,10 +187,7 @@ void NodeProcessor::cut_or_keep(const SearchNode& node, NodeOutcome& outcome) {
       return;
     }
   }
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < outcome.box.size(); ++i) {
-    if (is_open(i, outcome.box[i])) open.push_back(i);
-  }
+  const std::vector<std::size_t> open = open_sides(outcome.box);
   if (open.empty()) {
     outcome.kind = NodeOutcome::Kind::undecided;
     outcome.reason = functions_->constraints() < functions_->variables()

@@ -79,12 +79,15 @@ class NodeProcessor {
  private:
   bool is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const;
   void find_root(NodeOutcome& outcome);
-  /// Works on a box at higher precisions while rounding errors hide what is in it. False: it has no solution.
+  /// Works on a box at higher precisions while rounding errors hide what is in it, and once before one that is
+  /// too small to cut is given up. False: it has no solution.
   bool escalate(NodeOutcome& outcome);
   bool is_hidden_by_rounding(const Box& box);
   void cut_or_keep(const SearchNode& node, NodeOutcome& outcome);
   std::optional<Cut> cut_at_uniqueness_box(const Box& box, const Box& uniqueness) const;
   bool is_open(std::size_t variable, const Interval& side) const;
+  /// The variables whose sides are worth a cut.
+  std::vector<std::size_t> open_sides(const Box& box) const;
 
   const SystemFunctions* functions_;
   const ContractorMaker* make_contractor_;
