@@ -6,11 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
+#include "experiments/reporting/compared_runs.h"
 #include "experiments/reporting/number_format.h"
-#include "experiments/reporting/report_context.h"
-#include "experiments/reporting/solver_comparison.h"
-#include "experiments/reporting/table_kind.h"
-#include "experiments/runner/report_item.h"
 
 namespace gcslab {
 namespace {
@@ -24,19 +21,14 @@ struct Rivalry {
 class AgainstBuilder {
  public:
   AgainstBuilder(const ReportItem& item, const ReportContext& context)
-      : item_(item),
-        context_(context),
-        options_(options_of(item, against_table_kind())),
-        rows_(context, item),
-        comparison_(rows_.all()),
-        value_(item.values.empty() ? "cpu_s" : item.values.front()),
-        solved_(solved_from(options_)) {}
+      : runs_(item, context, against_table_kind()) {}
 
   Table build() {
-    if (item_.references.empty())
-      throw InputError(item_.where, "'" + item_.file + "': a table of kind against needs references");
-    for (std::size_t method = 0; method < comparison_.methods().size(); ++method)
-      (comparison_.is_reference(method) ? theirs_ : ours_).push_back(method);
+    if (runs_.item.references.empty())
+      throw InputError(runs_.item.where,
+                       "'" + runs_.item.file + "': a table of kind against needs references");
+    for (std::size_t method = 0; method < runs_.comparison.methods().size(); ++method)
+      (runs_.comparison.is_reference(method) ? theirs_ : ours_).push_back(method);
     lay_out();
     for (const std::size_t method : ours_) rivalries_.push_back(rivalry_of(method));
     add_means();
@@ -47,9 +39,7 @@ class AgainstBuilder {
  private:
   using Cost = std::optional<double>;
 
-  Cost cost(std::size_t problem, std::size_t method) const {
-    return comparison_.cost(problem, method, value_, solved_);
-  }
+  Cost cost(std::size_t problem, std::size_t method) const { return runs_.cost(problem, method); }
 
   /// The least cost of the other program, however it was run.
   Cost best_of_theirs(std::size_t problem) const {
@@ -63,15 +53,15 @@ class AgainstBuilder {
 
   bool has_figure(std::size_t problem) const {
     return std::ranges::any_of(theirs_,
-                               [&](std::size_t m) { return comparison_.run(problem, m) != nullptr; });
+                               [&](std::size_t m) { return runs_.comparison.run(problem, m) != nullptr; });
   }
 
   Rivalry rivalry_of(std::size_t method) const {
     Rivalry rivalry;
-    for (std::size_t problem = 0; problem < comparison_.problems(); ++problem) {
+    for (std::size_t problem = 0; problem < runs_.comparison.problems(); ++problem) {
       if (!has_figure(problem)) continue;
       const Cost here = cost(problem, method), there = best_of_theirs(problem);
-      const std::string name = heading_of("problem", comparison_.problem_name(problem));
+      const std::string name = heading_of("problem", runs_.comparison.problem_name(problem));
       if (here && there) {
         rivalry.here.push_back(*here);
         rivalry.there.push_back(*there);
@@ -86,39 +76,40 @@ class AgainstBuilder {
   // ---- problem by problem ----
 
   void lay_out() {
-    table_.caption = item_.caption.empty() ? context_.title : item_.caption;
+    table_.caption = runs_.item.caption.empty() ? runs_.context.title : runs_.item.caption;
     table_.head_names = {"problem"};
     table_.record_axes = {"problem", "method"};
     table_.column_heads = {{"better of the references (not the same run)", value_heading()}};
     for (const std::size_t method : ours_) {
-      table_.column_heads.push_back({comparison_.methods()[method], value_heading()});
-      table_.column_heads.push_back({comparison_.methods()[method], "ratio"});
+      table_.column_heads.push_back({runs_.comparison.methods()[method], value_heading()});
+      table_.column_heads.push_back({runs_.comparison.methods()[method], "ratio"});
     }
     TableBlock block{"problem by problem", {}};
-    for (std::size_t problem = 0; problem < comparison_.problems(); ++problem) {
+    for (std::size_t problem = 0; problem < runs_.comparison.problems(); ++problem) {
       if (has_figure(problem)) block.lines.push_back(line_of(problem));
     }
     table_.blocks.push_back(std::move(block));
   }
 
   std::string value_heading() const {
-    return value_.unit().empty() ? value_.heading() : value_.heading() + " [" + value_.unit() + "]";
+    return runs_.value.unit().empty() ? runs_.value.heading()
+                                      : runs_.value.heading() + " [" + runs_.value.unit() + "]";
   }
 
   TableLine line_of(std::size_t problem) {
-    const std::string& name = comparison_.problem_name(problem);
+    const std::string& name = runs_.comparison.problem_name(problem);
     TableLine line{{heading_of("problem", name)}, {}};
     const Cost there = best_of_theirs(problem);
     line.cells.push_back(cell_of(there, outcome_of_theirs(problem)));
-    record(name, "better of the references", value_.text(), value_.unit(), there);
+    record(name, "better of the references", runs_.value.text(), runs_.value.unit(), there);
     for (const std::size_t method : ours_) {
-      const Row* row = comparison_.run(problem, method);
+      const Row* row = runs_.comparison.run(problem, method);
       const Cost here = cost(problem, method);
       line.cells.push_back(cell_of(here, row == nullptr ? "–" : outcome_word(*row)));
       const Cost ratio = here && there && *there > 0 ? Cost(*here / *there) : std::nullopt;
       line.cells.push_back(cell_of(ratio, "–"));
-      record(name, comparison_.methods()[method], value_.text(), value_.unit(), here);
-      record(name, comparison_.methods()[method], "ratio to the better reference", "", ratio);
+      record(name, runs_.comparison.methods()[method], runs_.value.text(), runs_.value.unit(), here);
+      record(name, runs_.comparison.methods()[method], "ratio to the better reference", "", ratio);
     }
     return line;
   }
@@ -132,7 +123,7 @@ class AgainstBuilder {
   /// Of a problem that the other program does not solve: how its first run ended.
   std::string outcome_of_theirs(std::size_t problem) const {
     for (const std::size_t method : theirs_) {
-      if (const Row* row = comparison_.run(problem, method)) return outcome_word(*row);
+      if (const Row* row = runs_.comparison.run(problem, method)) return outcome_word(*row);
     }
     return "–";
   }
@@ -147,12 +138,12 @@ class AgainstBuilder {
   // ---- means ----
 
   double mean(const std::vector<double>& costs) const {
-    return shifted_geometric_mean(costs, options_.real("shift"));
+    return shifted_geometric_mean(costs, runs_.options.real("shift"));
   }
 
   void add_means() {
     TableBlock block{"over the problems solved by both", {}};
-    const std::string unit = value_.unit().empty() ? "" : " [" + value_.unit() + "]";
+    const std::string unit = runs_.value.unit().empty() ? "" : " [" + runs_.value.unit() + "]";
     block.lines = {mean_line("problems", [](const Rivalry& r) { return static_cast<double>(r.here.size()); }),
                    mean_line("mean here" + unit, [this](const Rivalry& r) { return mean(r.here); }),
                    mean_line("mean there" + unit, [this](const Rivalry& r) { return mean(r.there); }),
@@ -168,7 +159,7 @@ class AgainstBuilder {
       const Cost shown = any || head == "problems" ? Cost(number(rivalries_[i])) : std::nullopt;
       line.cells.push_back(cell_of(shown, "–"));
       line.cells.push_back(TableCell{});
-      record("all solved by both", comparison_.methods()[ours_[i]], head, "", shown);
+      record("all solved by both", runs_.comparison.methods()[ours_[i]], head, "", shown);
     }
     return line;
   }
@@ -180,30 +171,25 @@ class AgainstBuilder {
   void write_notes() {
     std::string names;
     for (const std::size_t method : theirs_)
-      names += (names.empty() ? "" : ", ") + comparison_.methods()[method];
+      names += (names.empty() ? "" : ", ") + runs_.comparison.methods()[method];
     note("References: " + names + "; of each problem the run that solves it with the lesser " +
-         value_.heading() + ". Ratio: this run over that.");
-    note(fmt::format("Means: shifted geometric means, shift {}{}.", format_number(options_.real("shift")),
-                     value_.unit().empty() ? "" : " " + value_.unit()));
+         runs_.value.heading() + ". Ratio: this run over that.");
+    note(fmt::format("Means: shifted geometric means, shift {}{}.",
+                     format_number(runs_.options.real("shift")),
+                     runs_.value.unit().empty() ? "" : " " + runs_.value.unit()));
     for (std::size_t i = 0; i < ours_.size(); ++i) {
-      const std::string& name = comparison_.methods()[ours_[i]];
+      const std::string& name = runs_.comparison.methods()[ours_[i]];
       note("Solved there and not by " + name + ": " + none_or(rivalries_[i].only_there) + ".");
       note("Solved by " + name + " and not there: " + none_or(rivalries_[i].only_here) + ".");
     }
-    const std::string machine = machine_text(context_.rows);
-    if (value_.is_of_machine() && !machine.empty()) note("This run: one machine (" + machine + ").");
-    for (const std::string& sentence : notes_on_references(context_, item_)) note(sentence);
+    const std::string machine = machine_text(runs_.context.rows);
+    if (runs_.value.is_of_machine() && !machine.empty()) note("This run: one machine (" + machine + ").");
+    for (const std::string& sentence : notes_on_references(runs_.context, runs_.item)) note(sentence);
   }
 
   static std::string none_or(const std::string& names) { return names.empty() ? "none" : names; }
 
-  const ReportItem& item_;
-  const ReportContext& context_;
-  Options options_;
-  SelectedRows rows_;
-  SolverComparison comparison_;
-  ValueName value_;
-  Solved solved_;
+  ComparedRuns runs_;
   std::vector<std::size_t> ours_, theirs_;
   std::vector<Rivalry> rivalries_;
   Table table_;

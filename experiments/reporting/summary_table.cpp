@@ -7,11 +7,8 @@
 #include <limits>
 
 #include "base/error.h"
+#include "experiments/reporting/compared_runs.h"
 #include "experiments/reporting/number_format.h"
-#include "experiments/reporting/report_context.h"
-#include "experiments/reporting/solver_comparison.h"
-#include "experiments/reporting/table_kind.h"
-#include "experiments/runner/report_item.h"
 
 namespace gcslab {
 namespace {
@@ -36,17 +33,11 @@ struct SummaryColumn {
 class SummaryBuilder {
  public:
   SummaryBuilder(const ReportItem& item, const ReportContext& context)
-      : item_(item),
-        context_(context),
-        options_(options_of(item, summary_table_kind())),
-        rows_(context, item),
-        comparison_(rows_.all()),
-        value_(item.values.empty() ? "cpu_s" : item.values.front()),
-        solved_(solved_from(options_)) {}
+      : runs_(item, context, summary_table_kind()) {}
 
   Table build() {
     find_shared();
-    for (std::size_t method = 0; method < comparison_.methods().size(); ++method)
+    for (std::size_t method = 0; method < runs_.comparison.methods().size(); ++method)
       summaries_.push_back(summary_of(method));
     choose_columns();
     lay_out();
@@ -55,21 +46,21 @@ class SummaryBuilder {
   }
 
  private:
-  bool is_time() const { return value_.unit() == "s"; }
-  double shift() const { return options_.real("shift"); }
+  bool is_time() const { return runs_.value.unit() == "s"; }
+  double shift() const { return runs_.options.real("shift"); }
 
   /// The limit of a job, in the time that is compared.
   double limit() const {
-    const bool by_cpu = value_.numerator() == "cpu_s" && std::isfinite(context_.limits.cpu_s);
-    return by_cpu ? context_.limits.cpu_s : context_.limits.wall_s;
+    const bool by_cpu = runs_.value.numerator() == "cpu_s" && std::isfinite(runs_.context.limits.cpu_s);
+    return by_cpu ? runs_.context.limits.cpu_s : runs_.context.limits.wall_s;
   }
-  double penalty() const { return options_.real("penalty") * limit(); }
+  double penalty() const { return runs_.options.real("penalty") * limit(); }
 
   void find_shared() {
-    for (std::size_t problem = 0; problem < comparison_.problems(); ++problem) {
+    for (std::size_t problem = 0; problem < runs_.comparison.problems(); ++problem) {
       bool by_all = true;
-      for (std::size_t method = 0; method < comparison_.methods().size(); ++method)
-        by_all = by_all && comparison_.cost(problem, method, value_, solved_).has_value();
+      for (std::size_t method = 0; method < runs_.comparison.methods().size(); ++method)
+        by_all = by_all && runs_.cost(problem, method).has_value();
       if (by_all) shared_.push_back(problem);
     }
   }
@@ -77,15 +68,15 @@ class SummaryBuilder {
   MethodSummary summary_of(std::size_t method) const {
     MethodSummary s;
     std::vector<double> penalised;
-    for (std::size_t problem = 0; problem < comparison_.problems(); ++problem) {
-      const Row* row = comparison_.run(problem, method);
+    for (std::size_t problem = 0; problem < runs_.comparison.problems(); ++problem) {
+      const Row* row = runs_.comparison.run(problem, method);
       if (row == nullptr) continue;
       ++s.problems;
       ++(row->status == "complete" ? s.complete : row->has_result() ? s.partial : s.unsolved);
-      s.lost += comparison_.lost_roots(problem, method);
-      s.open += comparison_.open_roots(problem, method);
-      s.spurious += comparison_.false_roots(problem, method);
-      penalised.push_back(comparison_.cost(problem, method, value_, solved_).value_or(penalty()));
+      s.lost += runs_.comparison.lost_roots(problem, method);
+      s.open += runs_.comparison.open_roots(problem, method);
+      s.spurious += runs_.comparison.false_roots(problem, method);
+      penalised.push_back(runs_.cost(problem, method).value_or(penalty()));
     }
     if (!penalised.empty()) s.mean_penalised = shifted_geometric_mean(penalised, shift());
     if (!shared_.empty()) s.mean_shared = shifted_geometric_mean(shared_costs(method), shift());
@@ -94,8 +85,7 @@ class SummaryBuilder {
 
   std::vector<double> shared_costs(std::size_t method) const {
     std::vector<double> costs;
-    for (const std::size_t problem : shared_)
-      costs.push_back(*comparison_.cost(problem, method, value_, solved_));
+    for (const std::size_t problem : shared_) costs.push_back(*runs_.cost(problem, method));
     return costs;
   }
 
@@ -123,12 +113,12 @@ class SummaryBuilder {
   Scale scale_of_means() const {
     std::vector<double> means;
     for (const MethodSummary& s : summaries_) means.insert(means.end(), {s.mean_shared, s.mean_penalised});
-    return scale_for(value_.unit(), means);
+    return scale_for(runs_.value.unit(), means);
   }
 
   void lay_out() {
     const Scale scale = scale_of_means();
-    table_.caption = item_.caption.empty() ? context_.title : item_.caption;
+    table_.caption = runs_.item.caption.empty() ? runs_.context.title : runs_.item.caption;
     table_.head_names = {"method"};
     table_.record_axes = {"method"};
     for (const SummaryColumn& column : columns_) {
@@ -142,7 +132,7 @@ class SummaryBuilder {
   }
 
   TableLine line_of(std::size_t method, const Scale& scale) {
-    TableLine line{{comparison_.methods()[method]}, {}};
+    TableLine line{{runs_.comparison.methods()[method]}, {}};
     for (const SummaryColumn& column : columns_) {
       const double number = column.number(summaries_[method]);
       const double shown = column.is_mean ? number * scale.factor : number;
@@ -168,16 +158,24 @@ class SummaryBuilder {
   }
 
   bool may_be_best(std::size_t method) const {
-    const std::string& name = comparison_.methods()[method];
-    return !comparison_.is_reference(method) &&
-           std::ranges::find(context_.baselines, name) == context_.baselines.end();
+    const std::string& name = runs_.comparison.methods()[method];
+    return !runs_.comparison.is_reference(method) &&
+           std::ranges::find(runs_.context.baselines, name) == runs_.context.baselines.end();
   }
 
   void add_record(std::size_t method, const SummaryColumn& column, double number) {
-    const std::string unit = column.is_mean ? value_.unit() : "";
+    const std::string unit = column.is_mean ? runs_.value.unit() : "";
     const std::size_t samples = std::isnan(number) ? 0 : 1;
-    table_.records.push_back(
-        {{comparison_.methods()[method]}, column.name, unit, "", number, number, number, samples, "", ""});
+    table_.records.push_back({{runs_.comparison.methods()[method]},
+                              column.name,
+                              unit,
+                              "",
+                              number,
+                              number,
+                              number,
+                              samples,
+                              "",
+                              ""});
   }
 
   // ---- what the reader must know ----
@@ -185,7 +183,7 @@ class SummaryBuilder {
   void note(const std::string& sentence) { table_.notes.push_back(sentence); }
 
   std::string in_unit(double number) const {
-    return format_number(number) + (value_.unit().empty() ? "" : " " + value_.unit());
+    return format_number(number) + (runs_.value.unit().empty() ? "" : " " + runs_.value.unit());
   }
 
   void write_notes() {
@@ -198,34 +196,28 @@ class SummaryBuilder {
         "lie in no box of its answer. Open roots: other known ones without certificate, which may lie in "
         "boxes left undecided. False roots: more solutions than are known.");
     note(fmt::format(
-        "Means: shifted geometric means of the {}, shift {}{}.", value_.heading(), in_unit(shift()),
+        "Means: shifted geometric means of the {}, shift {}{}.", runs_.value.heading(), in_unit(shift()),
         is_time()
             ? fmt::format("; with penalty: a problem that is not solved counts as {}", in_unit(penalty()))
             : ""));
-    if (solved_ == Solved::ended)
+    if (runs_.solved == Solved::ended)
       note("Solved, for the means: nothing undecided, and as many solutions found as are known.");
     note("Bold: least of the methods" + baselines_text() + ".");
-    const std::string machine = machine_text(context_.rows);
-    if (value_.is_of_machine() && !machine.empty()) note("Measured on one machine (" + machine + ").");
-    for (const std::string& sentence : notes_on_references(context_, item_)) note(sentence);
+    const std::string machine = machine_text(runs_.context.rows);
+    if (runs_.value.is_of_machine() && !machine.empty()) note("Measured on one machine (" + machine + ").");
+    for (const std::string& sentence : notes_on_references(runs_.context, runs_.item)) note(sentence);
   }
 
   std::string baselines_text() const {
     std::string names;
-    for (const std::string& name : comparison_.methods()) {
-      if (std::ranges::find(context_.baselines, name) != context_.baselines.end())
+    for (const std::string& name : runs_.comparison.methods()) {
+      if (std::ranges::find(runs_.context.baselines, name) != runs_.context.baselines.end())
         names += (names.empty() ? "" : ", ") + name;
     }
     return names.empty() ? "" : "; baselines, which are not rigorous, take no part (" + names + ")";
   }
 
-  const ReportItem& item_;
-  const ReportContext& context_;
-  Options options_;
-  SelectedRows rows_;
-  SolverComparison comparison_;
-  ValueName value_;
-  Solved solved_;
+  ComparedRuns runs_;
   std::vector<std::size_t> shared_;
   std::vector<MethodSummary> summaries_;
   std::vector<SummaryColumn> columns_;

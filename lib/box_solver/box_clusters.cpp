@@ -1,5 +1,6 @@
 #include "box_solver/box_clusters.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace gcslab {
@@ -8,9 +9,14 @@ namespace {
 /// Sides of a hull are at most this part of the search box's.
 constexpr double kSmall = 1e-5;
 
-bool touch(const Box& a, const Box& b) {
+/// How many of the last clusters a box may join: searches go from neighbour to neighbour.
+constexpr std::size_t kWindow = 256;
+
+/// No gap between them is wider than the wider of the two.
+bool are_near(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (disjoint(a[i], b[i])) return false;
+    const double gap = std::max(a[i].lower - b[i].upper, b[i].lower - a[i].upper);
+    if (gap > std::max(width(a[i]), width(b[i]))) return false;
   }
   return true;
 }
@@ -40,8 +46,9 @@ class Clustering {
 
  private:
   std::optional<std::size_t> find_partner(const UndecidedBox& entry) const {
-    for (std::size_t k = clusters_.size(); k-- > 0;) {  // the last ones are the nearest
-      const bool fits = clusters_[k].reason == entry.reason && touch(clusters_[k].box, entry.box);
+    const std::size_t first = clusters_.size() > kWindow ? clusters_.size() - kWindow : 0;
+    for (std::size_t k = clusters_.size(); k-- > first;) {
+      const bool fits = clusters_[k].reason == entry.reason && are_near(clusters_[k].box, entry.box);
       if (fits && is_small(hull_of(clusters_[k].box, entry.box))) return k;
     }
     return std::nullopt;
@@ -61,8 +68,6 @@ class Clustering {
 }  // namespace
 
 std::vector<UndecidedBox> clustered(std::vector<UndecidedBox> boxes, const Box& search_box) {
-  constexpr std::size_t kTooMany = 20'000;  // the work grows with boxes times clusters
-  if (boxes.size() > kTooMany) return boxes;
   Clustering clustering(search_box);
   for (UndecidedBox& entry : boxes) clustering.add(std::move(entry));
   return clustering.take();

@@ -13,12 +13,7 @@ template <class T>
 class HullFunction {
  public:
   HullFunction(const SystemFunction& function, bool is_equation)
-      : function_(&function), registers_(function.tape.registers()) {
-    const Tape& tape = function.tape;
-    for (std::size_t i = 0; i < tape.constants().size(); ++i) {
-      registers_[tape.first_constant() + i] =
-          tape.is_pi(i) ? NumberTraits<T>::pi() : NumberTraits<T>::from_rational(tape.constants()[i]);
-    }
+      : function_(&function), registers_(function.tape) {
     const double infinity = std::numeric_limits<double>::infinity();
     target_ = NumberTraits<T>::from_interval(is_equation ? Interval(0) : Interval(-infinity, 0));
   }
@@ -31,7 +26,7 @@ class HullFunction {
   /// no point of the box meets the target.
   bool propagate(const std::vector<T>& box) {
     for (const std::size_t i : function_->variables) registers_[i] = box[i];
-    forward();
+    registers_.run();
     T& value = registers_[function_->tape.outputs()[0]];
     const Interval before = NumberTraits<T>::enclosure(value);
     value = intersection(value, target_);
@@ -41,13 +36,6 @@ class HullFunction {
   }
 
  private:
-  void forward() {
-    const Tape& tape = function_->tape;
-    T* result = registers_.data() + tape.first_instruction();
-    for (const Instruction& instruction : tape.instructions()) *result++ = value_of(instruction);
-  }
-
-  T value_of(const Instruction& instruction) const;
   bool narrow(const Instruction& instruction, const T& z);
 
   bool backward() {
@@ -73,63 +61,9 @@ class HullFunction {
   }
 
   const SystemFunction* function_;
-  std::vector<T> registers_;
+  TapeRegisters<T> registers_;
   T target_;
 };
-
-template <class T>
-T HullFunction<T>::value_of(const Instruction& instruction) const {
-  const T& a = registers_[instruction.a];
-  switch (instruction.operation) {
-    case Operation::add:
-      return a + registers_[instruction.b];
-    case Operation::subtract:
-      return a - registers_[instruction.b];
-    case Operation::multiply:
-      return a * registers_[instruction.b];
-    case Operation::divide:
-      return a / registers_[instruction.b];
-    case Operation::negate:
-      return -a;
-    case Operation::sqr:
-      return sqr(a);
-    case Operation::power_integer:
-      return pow(a, static_cast<int>(exponent(instruction).get_num().get_si()));
-    case Operation::power_rational:
-      return pow(a, exponent(instruction));
-    case Operation::sqrt:
-      return sqrt(a);
-    case Operation::cbrt:
-      return cbrt(a);
-    case Operation::exp:
-      return exp(a);
-    case Operation::log:
-      return log(a);
-    case Operation::sin:
-      return sin(a);
-    case Operation::cos:
-      return cos(a);
-    case Operation::tan:
-      return tan(a);
-    case Operation::asin:
-      return asin(a);
-    case Operation::acos:
-      return acos(a);
-    case Operation::atan:
-      return atan(a);
-    case Operation::abs:
-      return abs(a);
-    case Operation::min:
-      return min(a, registers_[instruction.b]);
-    case Operation::max:
-      return max(a, registers_[instruction.b]);
-    case Operation::constant:
-    case Operation::pi:
-    case Operation::variable:
-      break;
-  }
-  GCSLAB_CHECK(false);
-}
 
 /// Cuts the operands of z = op(a, b) down to what z leaves of them; false when that is nothing.
 template <class T>

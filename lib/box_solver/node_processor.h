@@ -25,6 +25,7 @@ struct SearchNode {
   double share = 0;    ///< of the whole search
   int stuck = 0;       ///< how many of the last cuts on the way here gained nothing at the highest precision
   double measure = 0;  ///< best-first: larger is taken first
+  std::uint64_t cluster = 0;  ///< the small box that it is a part of; 0: it is part of none
 };
 
 /// A box in which a certified root is the only one.
@@ -79,8 +80,8 @@ class NodeProcessor {
  private:
   bool is_excluded(NodeOutcome& outcome, const std::vector<ExclusionBox>& exclusions) const;
   void find_root(NodeOutcome& outcome);
-  /// Works on a box at higher precisions while rounding errors hide what is in it, and once before one that is
-  /// too small to cut is given up. False: it has no solution.
+  /// Works on a box at higher precisions while rounding errors hide what is in it, and once before one that
+  /// is too small to cut is given up. False: it has no solution.
   bool escalate(NodeOutcome& outcome);
   bool is_hidden_by_rounding(const Box& box);
   void cut_or_keep(const SearchNode& node, NodeOutcome& outcome);

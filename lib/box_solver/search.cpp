@@ -1,6 +1,7 @@
 #include "box_solver/search.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "box_solver/box_clusters.h"
 #include "box_solver/inequality_check.h"
@@ -29,6 +30,12 @@ bool is_subset(const Box& a, const Box& b) {
   return true;
 }
 
+constexpr const char* kGivenUp =
+    "part of a small box in which too many boxes stayed: perhaps a multiple root";
+
+/// Boxes are small when their sides are at most this part of the variables' sizes.
+constexpr double kSmall = 1e-5;
+
 constexpr const char* kContainsRoot = "contains a root, which is listed, but perhaps others too";
 
 /// Largest relative side: what best-first search takes first.
@@ -48,6 +55,7 @@ class Search {
       : functions_(functions),
         search_box_(search_box),
         options_(options),
+        scales_(variable_scales(search_box)),
         inequalities_(functions),
         pool_(options.threads, [&] {
           return std::make_unique<NodeProcessor>(functions, search_box, make_contractor, options);
@@ -103,8 +111,13 @@ class Search {
     const std::uint64_t left = options_.maximum_boxes - result_.statistics.boxes;
     while (!open_.empty() && batch_.size() < std::min<std::uint64_t>(kBatch, left)) {
       if (options_.order == Order::best_first) std::ranges::pop_heap(open_, {}, &SearchNode::measure);
-      batch_.push_back(std::move(open_.back()));
+      SearchNode node = std::move(open_.back());
       open_.pop_back();
+      if (is_given_up(node)) {
+        give_up(node);
+      } else {
+        batch_.push_back(std::move(node));
+      }
     }
     outcomes_.assign(batch_.size(), NodeOutcome());
   }
@@ -114,12 +127,36 @@ class Search {
     for (std::size_t i = batch_.size(); i-- > 0;) merge(batch_[i], outcomes_[i]);
   }
 
+  /// Whether too many boxes were spent on the small box that it is a part of.
+  bool is_given_up(const SearchNode& node) const {
+    const auto found = boxes_of_cluster_.find(node.cluster);
+    return found != boxes_of_cluster_.end() && found->second >= options_.cluster_boxes;
+  }
+
+  void give_up(SearchNode& node) {
+    result_.statistics.explored += node.share;
+    if (options_.proof != nullptr) options_.proof->node(node.id, ProofTrace());
+    if (options_.record != nullptr)
+      options_.record->add(node.box, ProofTrace(), node.box, BoxFate::undecided);
+    keep_undecided(std::move(node.box), kGivenUp);
+  }
+
+  /// Small against the variables' sizes, where solutions are points.
+  bool is_small(const Box& box) const {
+    if (functions_.constraints() < functions_.variables()) return false;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      if (!(width(box[i]) <= kSmall * scales_[i])) return false;
+    }
+    return true;
+  }
+
   void merge(SearchNode& node, NodeOutcome& outcome) {
     if (outcome.kind == NodeOutcome::Kind::skipped) {
       push(std::move(node));
       return;
     }
     ++result_.statistics.boxes;
+    if (node.cluster != 0) ++boxes_of_cluster_[node.cluster];
     experience_ += outcome.experience;
     const std::size_t known_roots = roots_.size();
     const bool is_settled = !outcome.found || take_root(outcome);
@@ -129,7 +166,7 @@ class Search {
     }
     if (options_.proof != nullptr) options_.proof->node(node.id, outcome.trace);
     if (outcome.kind == NodeOutcome::Kind::cut) {
-      cut(outcome, node.share / 2);
+      cut(outcome, node);
       return;
     }
     result_.statistics.explored += node.share;
@@ -138,14 +175,14 @@ class Search {
         if (is_settled) {
           if (options_.proof != nullptr) options_.proof->end_covered(outcome.root);
         } else {
-          keep_undecided(outcome, "a root that could not be told from another one");
+          keep_undecided(std::move(outcome.box), "a root that could not be told from another one");
         }
         return;
       case NodeOutcome::Kind::empty:
         if (options_.proof != nullptr) options_.proof->end_empty();
         return;
       case NodeOutcome::Kind::undecided:
-        keep_undecided(outcome, outcome.reason);
+        keep_undecided(std::move(outcome.box), std::move(outcome.reason));
         return;
       case NodeOutcome::Kind::cut:
       case NodeOutcome::Kind::skipped:
@@ -169,9 +206,9 @@ class Search {
     return BoxFate::pending;
   }
 
-  void keep_undecided(NodeOutcome& outcome, std::string reason) {
+  void keep_undecided(Box box, std::string reason) {
     if (options_.proof != nullptr) options_.proof->end_undecided();
-    result_.undecided.push_back({std::move(outcome.box), std::move(reason)});
+    result_.undecided.push_back({std::move(box), std::move(reason)});
   }
 
   void keep_pending(SearchNode& node) {
@@ -183,12 +220,19 @@ class Search {
     result_.pending.push_back(std::move(node.box));
   }
 
-  void cut(const NodeOutcome& outcome, double share) {
+  void cut(const NodeOutcome& outcome, const SearchNode& node) {
     ++result_.statistics.bisections;
     const auto [variable, point] = outcome.cut;
     if (options_.proof != nullptr) options_.proof->end_cut(variable, point, next_id_, next_id_ + 1);
-    SearchNode lower{next_id_++, outcome.box, variable, share, outcome.stuck};
-    SearchNode upper{next_id_++, outcome.box, variable, share, outcome.stuck};
+    SearchNode lower{.id = next_id_++,
+                     .box = outcome.box,
+                     .last_variable = variable,
+                     .share = node.share / 2,
+                     .stuck = outcome.stuck,
+                     .cluster = node.cluster};
+    if (lower.cluster == 0 && is_small(outcome.box)) lower.cluster = lower.id;
+    SearchNode upper = lower;
+    upper.id = next_id_++;
     lower.box[variable].upper = point;
     upper.box[variable].lower = point;
     push(std::move(upper));
@@ -251,6 +295,7 @@ class Search {
   const SystemFunctions& functions_;
   const Box& search_box_;
   const SearchOptions& options_;
+  std::vector<double> scales_;  ///< of the variables
   InequalityCheck inequalities_;
   WorkerPool<NodeProcessor> pool_;
   std::vector<SearchNode> open_;  ///< a stack, or a heap by measure
@@ -260,6 +305,7 @@ class Search {
   std::vector<ExclusionBox> exclusions_;
   std::uint64_t next_id_ = 0;
   Experience experience_;  ///< of the contractors
+  std::unordered_map<std::uint64_t, std::uint64_t> boxes_of_cluster_;
   SearchResult result_;
 };
 

@@ -34,6 +34,9 @@ struct SearchOptions {
   double cover_resolution = 1.0 / 64;  ///< the same for systems with fewer equations than variables, as part
                                        ///< of the search box: their solution set is covered
   int maximum_bits = 1024;             ///< precision goes up to this where double cannot decide
+  /// Boxes spent on a box narrower than 1e-5 of the variables' sizes before the rest of it stays undecided:
+  /// around a multiple root too many are left to follow. Not for systems whose solution set is covered.
+  std::uint64_t cluster_boxes = 20'000;
   std::uint64_t maximum_boxes = ~std::uint64_t{0};
   std::size_t maximum_open = 2'000'000;  ///< boxes held in memory
   int threads = 1;

@@ -56,6 +56,10 @@ std::vector<OptionSpec> SolverMethod::options() const {
       real_option("cover_resolution",
                   "the same where equations are fewer than variables, as part of the search box", "",
                   1.0 / 64, 1e-12, 1),
+      integer_option("cluster_boxes",
+                     "boxes spent on a box narrower than 1e-5 of its variables' sizes; what is left stays "
+                     "undecided",
+                     "boxes", 20'000, 1, 1'000'000'000),
       integer_option("maximum_bits", "precision goes up to this where double cannot decide; 53: never",
                      "bits", 1024, 53, 100'000),
       integer_option("maximum_boxes", "work budget", "boxes", 1'000'000'000, 1, 1'000'000'000'000),
@@ -121,6 +125,7 @@ SearchOptions search_options(const Options& options) {
   result.order = options.word("order") == "best_first" ? Order::best_first : Order::depth_first;
   result.resolution = options.real("resolution");
   result.cover_resolution = options.real("cover_resolution");
+  result.cluster_boxes = static_cast<std::uint64_t>(options.integer("cluster_boxes"));
   result.maximum_bits = static_cast<int>(options.integer("maximum_bits"));
   result.maximum_boxes = static_cast<std::uint64_t>(options.integer("maximum_boxes"));
   return result;

@@ -16,100 +16,15 @@ namespace gcslab {
 template <class T>
 TapeEvaluator<T>::TapeEvaluator(const Tape& tape)
     : tape_(&tape),
-      registers_(tape.registers(), NumberTraits<T>::from_rational(0)),
+      registers_(tape),
       zero_(NumberTraits<T>::from_rational(0)),
-      one_(NumberTraits<T>::from_rational(1)) {
-  for (std::size_t i = 0; i < tape.constants().size(); ++i) {
-    registers_[tape.first_constant() + i] =
-        tape.is_pi(i) ? NumberTraits<T>::pi() : NumberTraits<T>::from_rational(tape.constants()[i]);
-  }
-}
+      one_(NumberTraits<T>::from_rational(1)) {}
 
 template <class T>
 void TapeEvaluator<T>::evaluate(std::span<const T> point) {
   GCSLAB_CHECK(point.size() == tape_->variables());
   for (std::size_t i = 0; i < point.size(); ++i) registers_[i] = point[i];
-  T* result = registers_.data() + tape_->first_instruction();
-  for (const Instruction& instruction : tape_->instructions()) execute(instruction, *result++);
-}
-
-template <class T>
-T TapeEvaluator<T>::power(const T& base, const Rational& exponent) const {
-  if (exponent.get_den() == 1) return pow(base, static_cast<int>(exponent.get_num().get_si()));
-  return pow(base, exponent);
-}
-
-template <class T>
-void TapeEvaluator<T>::execute(const Instruction& instruction, T& result) const {
-  const T& a = registers_[instruction.a];
-  switch (instruction.operation) {
-    case Operation::add:
-      result = a + registers_[instruction.b];
-      return;
-    case Operation::subtract:
-      result = a - registers_[instruction.b];
-      return;
-    case Operation::multiply:
-      result = a * registers_[instruction.b];
-      return;
-    case Operation::divide:
-      result = a / registers_[instruction.b];
-      return;
-    case Operation::negate:
-      result = -a;
-      return;
-    case Operation::sqr:
-      result = sqr(a);
-      return;
-    case Operation::power_integer:
-    case Operation::power_rational:
-      result = power(a, tape_->exponents()[instruction.b]);
-      return;
-    case Operation::sqrt:
-      result = sqrt(a);
-      return;
-    case Operation::cbrt:
-      result = cbrt(a);
-      return;
-    case Operation::exp:
-      result = exp(a);
-      return;
-    case Operation::log:
-      result = log(a);
-      return;
-    case Operation::sin:
-      result = sin(a);
-      return;
-    case Operation::cos:
-      result = cos(a);
-      return;
-    case Operation::tan:
-      result = tan(a);
-      return;
-    case Operation::asin:
-      result = asin(a);
-      return;
-    case Operation::acos:
-      result = acos(a);
-      return;
-    case Operation::atan:
-      result = atan(a);
-      return;
-    case Operation::abs:
-      result = abs(a);
-      return;
-    case Operation::min:
-      result = min(a, registers_[instruction.b]);
-      return;
-    case Operation::max:
-      result = max(a, registers_[instruction.b]);
-      return;
-    case Operation::constant:
-    case Operation::pi:
-    case Operation::variable:
-      break;
-  }
-  GCSLAB_CHECK(false);
+  registers_.run();
 }
 
 namespace {
@@ -160,7 +75,7 @@ T nonempty_slope(const T& slope) {
 
 template <class T>
 bool TapeEvaluator<T>::defined_everywhere() const {
-  const T* result = registers_.data() + tape_->first_instruction();
+  const T* result = registers_.results();
   for (const Instruction& instruction : tape_->instructions()) {
     const OperationInfo& operation = info(instruction.operation);
     const T& value = *result++;
@@ -191,7 +106,8 @@ T TapeEvaluator<T>::outer_derivative(const Instruction& instruction, const T& va
     case Operation::power_integer:
     case Operation::power_rational: {
       const Rational& exponent = tape_->exponents()[instruction.b];
-      return nonempty_slope<T>(NumberTraits<T>::from_rational(exponent) * power(a, exponent - 1));
+      return nonempty_slope<T>(NumberTraits<T>::from_rational(exponent) *
+                               TapeRegisters<T>::power(a, exponent - 1));
     }
     case Operation::sqrt:
       return nonempty_slope<T>(one_ / (value + value));
@@ -260,8 +176,8 @@ void TapeEvaluator<T>::add_adjoints(const Instruction& instruction, const T& val
 
 template <class T>
 std::span<const T> TapeEvaluator<T>::reverse_gradient(std::size_t output) {
-  adjoints_.resize(registers_.size(), zero_);
-  has_adjoint_.assign(registers_.size(), false);
+  adjoints_.resize(tape_->registers(), zero_);
+  has_adjoint_.assign(tape_->registers(), false);
   adjoints_[tape_->outputs()[output]] = one_;
   has_adjoint_[tape_->outputs()[output]] = true;
   const auto& instructions = tape_->instructions();
@@ -279,7 +195,7 @@ std::span<const T> TapeEvaluator<T>::reverse_gradient(std::size_t output) {
 template <class T>
 std::span<const T> TapeEvaluator<T>::forward_gradient(std::size_t output) {
   const std::size_t n = tape_->variables();
-  std::vector<std::vector<T>> tangents(registers_.size());  // empty: zero
+  std::vector<std::vector<T>> tangents(tape_->registers());  // empty: zero
   for (std::size_t i = 0; i < n; ++i) {
     tangents[i].assign(n, zero_);
     tangents[i][i] = one_;

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "expression/tape.h"
+#include "expression/tape_registers.h"
 
 namespace gcslab {
 
@@ -41,13 +41,11 @@ class TapeEvaluator {
   std::span<const T> forward_gradient(std::size_t output = 0);
 
  private:
-  void execute(const Instruction& instruction, T& result) const;
   void add_adjoints(const Instruction& instruction, const T& value, const T& adjoint);
   T outer_derivative(const Instruction& instruction, const T& value) const;
-  T power(const T& base, const Rational& exponent) const;
 
   const Tape* tape_;
-  std::vector<T> registers_;
+  TapeRegisters<T> registers_;
   std::vector<T> adjoints_;
   std::vector<bool> has_adjoint_;
   std::vector<T> gradient_;

@@ -6,10 +6,10 @@
 // end, changes its number of sign variations at every distinct root of p by one, and nowhere else. That
 // divisor has the multiple roots of p, with multiplicities less by one; its own chain counts them, and so on.
 
-#include <gmpxx.h>
 #include <vector>
 
 #include "interval/interval.h"
+#include "verifier/integer_polynomial.h"
 #include "verifier/polynomial_terms.h"
 
 namespace gcslab::verifier {
@@ -27,15 +27,13 @@ class RootCounter {
   int multiplicity(const Interval& x) const;
 
  private:
-  using Integers = std::vector<mpz_class>;  ///< coefficients by ascending powers, the last one not 0
-
   /// Distinct roots of multiplicity above `level`.
   int count(std::size_t level, const Interval& x) const;
-  static int variations(const std::vector<Integers>& chain, double x);
+  static int variations(const std::vector<IntegerPolynomial>& chain, double x);
 
   /// One for every multiplicity that occurs, in order; the first member of each vanishes at the roots whose
   /// multiplicity is above the index.
-  std::vector<std::vector<Integers>> chains_;
+  std::vector<std::vector<IntegerPolynomial>> chains_;
 };
 
 }  // namespace gcslab::verifier

@@ -32,11 +32,14 @@ std::vector<std::string> choices() {
 
 class CertifierContract : public testing::TestWithParam<std::string> {
  protected:
-  static SearchResult solved(const EquationSystem& system, const Box& box) {
+  /// By one thread and by two in turn.
+  static SearchResult solved(const EquationSystem& system, const Box& box, std::size_t turn,
+                             std::uint64_t maximum_boxes) {
     const SystemFunctions functions(system);
     SearchOptions options;
     options.certifier = GetParam();
-    options.maximum_boxes = 300;
+    options.maximum_boxes = maximum_boxes;
+    options.threads = turn % 2 == 0 ? 1 : 2;
     const ContractorMaker maker = [](const SystemFunctions& f, int bits) {
       ContractorSettings settings;
       settings.bits = bits;
@@ -63,10 +66,10 @@ TEST_P(CertifierContract, LosesNoRootAndSaysWhatIsTrue) {
   CountedGenerator systems(random);
   PlantedGenerator boxes(random);
   std::size_t unique = 0, existing = 0;
-  for (std::size_t i = 0; i < fuzz_cases(200); ++i) {
+  for (std::size_t i = 0; i < fuzz_cases(1000); ++i) {
     const CountedSystem counted = systems.system(static_cast<int>(random.integer(1, 2)));
     const Box box = boxes.box_around(counted.centres[random.below(counted.centres.size())]);
-    const SearchResult result = solved(counted.system, box);
+    const SearchResult result = solved(counted.system, box, i, 300);
     const auto where = [&] { return planted::to_text(counted.system) + "in " + planted::to_text(box); };
     for (const Point& root : counted.roots) {
       if (!planted::contains(box, root)) continue;
@@ -89,23 +92,23 @@ TEST_P(CertifierContract, LosesNoRootAndSaysWhatIsTrue) {
   // A certifier that never proves anything would pass all that.
   const bool is_unique = GetParam() != "miranda" && GetParam() != "elber_kim";
   if (is_unique) {
-    EXPECT_GT(unique, fuzz_cases(200) / 10);
+    EXPECT_GT(unique, fuzz_cases(1000) / 10);
   } else {
     EXPECT_EQ(unique, 0U);
   }
   if (GetParam() == "miranda") {
-    EXPECT_GT(existing, fuzz_cases(200) / 10);
+    EXPECT_GT(existing, fuzz_cases(1000) / 10);
   }
 }
 
 TEST_P(CertifierContract, LosesNoPlantedRootOfAnyKindOfSystem) {
   Random random(fuzz_seed(), "certifier_planted");
   PlantedGenerator generator(random);
-  for (std::size_t i = 0; i < fuzz_cases(100); ++i) {
+  for (std::size_t i = 0; i < fuzz_cases(1000); ++i) {
     PlantedSystem planted = generator.system(generator.random_kind());
     const Box box = generator.box_around(planted.roots[random.below(planted.roots.size())]);
     try {
-      const SearchResult result = solved(planted.system, box);
+      const SearchResult result = solved(planted.system, box, i, 50);
       for (const Point& root : planted.roots) {
         if (!planted::contains(box, root)) continue;
         ASSERT_TRUE(is_found(result, root)) << planted::to_text(planted.system) << planted::to_text(box);

@@ -71,7 +71,7 @@ TEST_P(LpBackendContract, AgreesWithTheExactOptimumOfRandomPrograms) {
   Random random(fuzz_seed(), "lp contract");
   const auto backend = make();
   int compared = 0;
-  for (std::size_t i = 0; i < fuzz_cases(500); ++i) {
+  for (std::size_t i = 0; i < fuzz_cases(1000); ++i) {
     SCOPED_TRACE(i);
     const RandomProgram program = random_program(random);
     const ExactSolution exact = ExactSimplex(program.model).minimise(program.objective, {});
@@ -92,7 +92,7 @@ TEST_P(LpBackendContract, AgreesWithTheExactOptimumOfRandomPrograms) {
 TEST_P(LpBackendContract, FinalBasesNameVerticesOfThatValue) {
   Random random(fuzz_seed(), "lp basis");
   const auto backend = make();
-  for (std::size_t i = 0; i < fuzz_cases(200); ++i) {
+  for (std::size_t i = 0; i < fuzz_cases(1000); ++i) {
     SCOPED_TRACE(i);
     const RandomProgram program = random_program(random);
     backend->load(program.model);

@@ -165,5 +165,18 @@ TEST(Search, GathersTheBoxesAroundAMultipleRoot) {
   EXPECT_TRUE(contains(found.undecided[0].box[0], 1) && contains(found.undecided[0].box[1], 0));
 }
 
+TEST(Search, GivesUpWhereBoxesMultiply) {
+  // A parabola and its circle of curvature: a fourfold root, along which the curves cannot be told apart.
+  const SystemFunctions functions(system_of({"x", "y"}, {"y - x^2", "x^2 + y^2 - y"}));
+  const Box box = {{-2, 2}, {-2, 2}};
+  SearchOptions options;
+  options.cluster_boxes = 1000;
+  const SearchResult found = solve(functions, box, "hull+multipliers", options);
+  EXPECT_TRUE(found.pending.empty());
+  EXPECT_LT(found.statistics.boxes, 10'000u);
+  EXPECT_LT(found.undecided.size(), 10u);
+  EXPECT_TRUE(is_accounted_for(found, {0, 0}));
+}
+
 }  // namespace
 }  // namespace gcslab
