@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "box_solver/graph_strips.h"
 #include "experiments/corpus/problem.h"
 #include "experiments/tasks/polytope_panel.h"
 #include "experiments/tasks/space_view.h"
 #include "expression/printer.h"
-#include "interval/elementary.h"
 
 namespace gcslab {
 namespace {
@@ -53,24 +53,22 @@ bool is_exponential(const EquationSystem& system) {
          to_text(system.equations[0], system.variables) == "exp(" + system.variables[0] + ")";
 }
 
-/// The polygon of a chord and two tangents around (x, exp x), with the ends of exp in doubles on the safe
-/// side (Tahari 2011, figure 5.4). A tangent at v bounds from below with exp(v) rounded down where
-/// 1 + x - v >= 0, hence on boxes of width up to 1.
+/// The polygon around (x, exp x) that linear programs know (Tahari 2011, figure 5.4): of its strips, the
+/// sides that touch a convex graph, its tangents at both ends and its chord.
 Drawn draw_exponential(const Problem& problem) {
   const Box& box = problem.system.box;
-  if (!is_bounded(box[0]) || !(width(box[0]) > 0 && width(box[0]) <= 1))
-    throw NotApplicable("the box must have a width in (0, 1]");
+  if (!is_bounded(box[0]) || !(width(box[0]) > 0)) throw NotApplicable("the box must have a width");
   const Rational u(box[0].lower), v(box[0].upper);
-  const Interval at_u = elementary::exp(Interval(box[0].lower));
-  const Interval at_v = elementary::exp(Interval(box[0].upper));
-  const auto tangent = [](const Rational& at, double value) {
-    const Rational slope(value);
-    return HalfSpace{{-slope, 1}, slope * (1 - at)};
+  const auto [at_u, at_v, chord] = [&] {
+    const NumberTraits<FastInterval>::Scope scope;
+    return GraphStrips(problem.system.equations[0]).around(box[0]);
+  }();
+  const auto above = [](const Strip& strip) {
+    return HalfSpace{{-Rational(strip.slope), 1}, Rational(strip.range.lower)};
   };
-  const Rational slope = (Rational(at_v.upper) - Rational(at_u.upper)) / (v - u);
-  const ExactPolytope polygon({tangent(u, at_u.lower),
-                               tangent(v, at_v.lower),
-                               {{slope, -1}, slope * u - Rational(at_u.upper)},
+  const ExactPolytope polygon({above(at_u),
+                               above(at_v),
+                               {{Rational(chord.slope), -1}, -Rational(chord.range.upper)},
                                {{1, 0}, u},
                                {{-1, 0}, -v}});
   const ControlPolygon corners = polygon_of(polygon);

@@ -1,63 +1,14 @@
 // Short proofs written by hand, and every way to spoil them.
 
-#include <functional>
-#include <gtest/gtest.h>
+#include "unit/verifier/hand_written_proof.h"
 
-#include "unit/verifier/solved_system.h"
+#include <gtest/gtest.h>
 
 namespace gcslab {
 namespace {
 
 constexpr double kBelow = 0x1.6a09e667f3bccp+0;  ///< sqrt(2) rounded down
 constexpr double kAbove = 0x1.6a09e667f3bcdp+0;  ///< and up
-
-Json solution_of(const Box& box, const Box& uniqueness_box) {
-  std::vector<double> point;
-  for (const Interval& side : box) point.push_back(midpoint(side));
-  return {{"point", point},
-          {"box", box_json(box)},
-          {"kind", "real"},
-          {"certificate", {{"claim", "unique"}}},
-          {"uniqueness_box", box_json(uniqueness_box)}};
-}
-
-Json result_of(const EquationSystem& system, const Json& solutions) {
-  return {{"problem", "test"},        {"status", "complete"},
-          {"completeness", "proved"}, {"variables", system.variables},
-          {"solutions", solutions},   {"undecided", Json::array()}};
-}
-
-std::string text_of(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return with_hash(text);
-}
-
-std::string bounds(double lower, double upper) { return hexadecimal(lower) + " " + hexadecimal(upper); }
-
-/// A system, a result and the lines of its proof.
-struct HandWritten {
-  EquationSystem system;
-  Json result;
-  std::vector<std::string> lines;
-
-  VerificationReport verified() const {
-    SolvedSystem run{system, result, text_of(lines)};
-    run.sign();
-    return run.verified();
-  }
-  /// The line of the proof, from 1, that is refused; 0 when none is.
-  int refused_line() const {
-    for (const auto& [where, reason] : verified().refusals) {
-      if (where.starts_with("proof:")) return std::stoi(where.substr(6));
-    }
-    return 0;
-  }
-  bool proves_completeness() const {
-    const VerificationReport report = verified();
-    return report.accepted() && report.completeness_proved;
-  }
-};
 
 /// x^2 = 2 in [-3, 3]: narrowed to [-sqrt(2), sqrt(2)], cut at 0, each half in a uniqueness box.
 HandWritten square_root() {
@@ -90,17 +41,6 @@ TEST(HandWrittenProof, IsAccepted) {
   EXPECT_TRUE(report.accepted()) << refusals_of(report);
   EXPECT_TRUE(report.completeness_proved);
 }
-
-struct Spoiled {
-  const char* what;
-  int refused_line;
-  std::function<void(HandWritten&)> spoil;
-};
-
-void replace(HandWritten& proof, int line, const std::string& text) {
-  proof.lines.at(static_cast<std::size_t>(line - 1)) = text;
-}
-void erase(HandWritten& proof, int line) { proof.lines.erase(proof.lines.begin() + line - 1); }
 
 const Spoiled kSpoiled[] = {
     {"a lower bound one unit inward", 5,
@@ -169,65 +109,6 @@ TEST(HandWrittenProof, IsRefusedAtTheLineThatIsSpoiled) {
     EXPECT_EQ(proof.refused_line(), spoiled.refused_line) << spoiled.what << "\n"
                                                           << refusals_of(proof.verified());
     EXPECT_FALSE(proof.proves_completeness()) << spoiled.what;
-  }
-}
-
-/// exp(x) = 2 has no root in [1, 2]: with t = exp(x), t - 5/2 x >= exp(1) - 5/2 > 1/5, and t - 2 = 0.
-HandWritten exponential() {
-  HandWritten proof;
-  proof.system = system_of({"x"}, {"exp(x) - 2"}, {{1, 2}});
-  proof.result = result_of(proof.system, Json::array());
-  proof.lines = {
-      "gcslab-proof 1",                                    // 1
-      "box 0x1p+0 0x1p+1",                                 // 2
-      "term equation 0 0",                                 // 3
-      "start 0 0x1p+0 0x1p+1",                             // 4
-      "node 0",                                            // 5
-      "expansion 0x1p+1 0x1p+3",                           // 6
-      "polytope 0 empty -0x1p+0 ; g 0 0x1.4p+1 : 0x1p+0",  // 7
-      "end empty",                                         // 8
-      "end",                                               // 9
-  };
-  return proof;
-}
-
-const Spoiled kSpoiledTerms[] = {
-    {"a term that is a constant", 7, [](HandWritten& p) { replace(p, 3, "term equation 0 1"); }},
-    {"an operand that is not there", 3, [](HandWritten& p) { replace(p, 3, "term equation 0 0 1"); }},
-    {"a function that is not there", 3, [](HandWritten& p) { replace(p, 3, "term equation 1 0"); }},
-    {"a kind of function that is not there", 3, [](HandWritten& p) { replace(p, 3, "term identity 0 0"); }},
-    {"a term named twice", 4,
-     [](HandWritten& p) { p.lines.insert(p.lines.begin() + 3, {"term equation 0 0"}); }},
-    {"a term named after a box", 5,
-     [](HandWritten& p) { p.lines.insert(p.lines.begin() + 4, {"term equation 0"}); }},
-    {"a side that does not contain the term", 6,
-     [](HandWritten& p) { replace(p, 6, "expansion 0x1.8p+1 0x1p+3"); }},
-    {"an unbounded side", 6, [](HandWritten& p) { replace(p, 6, "expansion 0x1p+1 inf"); }},
-    {"a side too many", 6, [](HandWritten& p) { replace(p, 6, "expansion 0x1p+1 0x1p+3 0x1p+1 0x1p+3"); }},
-    {"no sides", 7, [](HandWritten& p) { replace(p, 6, "expansion"); }},
-    {"a strip of a term that is not there", 7,
-     [](HandWritten& p) { replace(p, 7, "polytope 0 empty -0x1p+0 ; g 1 0x1.4p+1 : 0x1p+0"); }},
-    {"the other side of the strip", 7,
-     [](HandWritten& p) { replace(p, 7, "polytope 0 empty 0x1p+0 ; g 0 0x1.4p+1 : -0x1p+0"); }},
-    {"another slope", 7,
-     [](HandWritten& p) { replace(p, 7, "polytope 0 empty -0x1p+0 ; g 0 -0x1.4p+1 : 0x1p+0"); }},
-    {"no strip", 7, [](HandWritten& p) { replace(p, 7, "polytope 0 empty -0x1p+0 ;"); }},
-    {"a slope that is no number", 7,
-     [](HandWritten& p) { replace(p, 7, "polytope 0 empty -0x1p+0 ; g 0 inf : 0x1p+0"); }},
-};
-
-TEST(ProofWithTerms, IsAccepted) {
-  const VerificationReport report = exponential().verified();
-  EXPECT_TRUE(report.accepted()) << refusals_of(report);
-  EXPECT_TRUE(report.completeness_proved);
-}
-
-TEST(ProofWithTerms, IsRefusedAtTheLineThatIsSpoiled) {
-  for (const Spoiled& spoiled : kSpoiledTerms) {
-    HandWritten proof = exponential();
-    spoiled.spoil(proof);
-    EXPECT_EQ(proof.refused_line(), spoiled.refused_line) << spoiled.what << "\n"
-                                                          << refusals_of(proof.verified());
   }
 }
 
