@@ -67,8 +67,9 @@ T TapeRegisters<T>::value_of(const Instruction& instruction) const {
     case Operation::sqr:
       return sqr(a);
     case Operation::power_integer:
+      return pow(a, static_cast<int>(tape_->exponents()[instruction.b].get_num().get_si()));
     case Operation::power_rational:
-      return power(a, tape_->exponents()[instruction.b]);
+      return pow(a, tape_->exponents()[instruction.b]);
     case Operation::sqrt:
       return sqrt(a);
     case Operation::cbrt:

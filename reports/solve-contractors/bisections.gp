@@ -41,7 +41,7 @@ set label 'hull+newton, longest side' at screen 0.73773,0.02344 left font ',7' t
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:30.85534305842868]
+set xrange [1:42.32373168]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]
