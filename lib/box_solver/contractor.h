@@ -23,6 +23,8 @@ class Contractor {
   /// The rough number of arithmetic operations of a call, for weighing one contractor against another; 0:
   /// next to nothing.
   virtual double cost() const { return 0; }
+  /// The same of the last call, where it depends on the box.
+  virtual double last_cost() const { return cost(); }
   /// Before `contract`: what the search has met, and the number of the box. `so_far` must live through it.
   virtual void learn(const Experience& /*so_far*/, std::uint64_t /*box_number*/) {}
   /// After it: what this box adds.

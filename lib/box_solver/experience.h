@@ -14,6 +14,7 @@ namespace gcslab {
 struct DearPartExperience {
   double boxes = 0;     ///< on which the part was called
   double calls = 0;     ///< on these, again where it shrank them much
+  double cost = 0;      ///< of these calls, in arithmetic operations
   double halvings = 0;  ///< that it saved, those of a whole subtree where it emptied the box
 };
 
@@ -36,6 +37,7 @@ struct Experience {
     for (std::size_t i = 0; i < kDearParts; ++i) {
       dear[i].boxes += other.dear[i].boxes;
       dear[i].calls += other.dear[i].calls;
+      dear[i].cost += other.dear[i].cost;
       dear[i].halvings += other.dear[i].halvings;
     }
     return *this;

@@ -88,9 +88,10 @@ class FixpointContractor final : public Contractor {
     DearPartExperience& seen = seen_.dear[i];
     const double size = size_of(box);
     seen.boxes = 1;
+    const bool may_have_roots = dear_[i]->contract(box, trace);
     ++seen.calls;
-    if (!dear_[i]->contract(box, trace) ||
-        (largest_gain(start_, box) >= ratio_ && !apply_cheap(box, trace))) {
+    seen.cost += dear_[i]->last_cost();
+    if (!may_have_roots || (largest_gain(start_, box) >= ratio_ && !apply_cheap(box, trace))) {
       seen.halvings += halvings_ahead(size);
       return false;
     }
@@ -121,11 +122,12 @@ class FixpointContractor final : public Contractor {
   bool pays(std::size_t i, double size) const {
     const DearPartExperience& part = so_far_->dear[i];
     if (part.boxes == 0 || so_far_->boxes == 0) return false;
-    const double cost = relative_cost(*dear_[i]) * so_far_->boxes / so_far_->rounds;
+    const double cheap_cost = cost_ * so_far_->rounds / so_far_->boxes;
+    const double cost = cheap_cost > 0 ? part.cost / part.boxes / cheap_cost : 0;
     const double levels = halvings_a_level();
     const double with_part = levels + part.halvings / part.boxes;
     const double ahead = halvings_ahead(size);
-    return ahead / levels - ahead / with_part >= std::log2(1 + cost * part.calls / part.boxes);
+    return ahead / levels - ahead / with_part >= std::log2(1 + cost);
   }
 
   std::vector<std::unique_ptr<Contractor>> cheap_, dear_;

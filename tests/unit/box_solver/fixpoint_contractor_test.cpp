@@ -11,8 +11,11 @@ namespace {
 class Shrinker final : public Contractor {
  public:
   Shrinker(double cost, double share, double threshold, int& calls)
-      : cost_(cost), share_(share), threshold_(threshold), calls_(calls) {}
+      : cost_(cost), last_cost_(cost), share_(share), threshold_(threshold), calls_(calls) {}
+  /// What a call costs in fact.
+  double& last_cost_of_calls() { return last_cost_; }
   double cost() const override { return cost_; }
+  double last_cost() const override { return last_cost_; }
   bool contract(Box& box, ProofTrace& /*trace*/) override {
     ++calls_;
     if (box[0].upper < threshold_) return false;
@@ -21,18 +24,25 @@ class Shrinker final : public Contractor {
   }
 
  private:
-  double cost_, share_, threshold_;
+  double cost_, last_cost_, share_, threshold_;
   int& calls_;
 };
 
 struct Composition {
   int cheap_calls = 0, dear_calls = 0;
   std::unique_ptr<Contractor> contractor;
+  Shrinker* dear = nullptr;
 
+  Composition(double relative_cost, double dear_share, double cost_in_fact)
+      : Composition(relative_cost, dear_share) {
+    dear->last_cost_of_calls() = cost_in_fact;
+  }
   Composition(double relative_cost, double dear_share) {
     std::vector<CompositionPart> parts;
     parts.push_back({std::make_unique<Shrinker>(1, 0.0, 1.0, cheap_calls), false});
-    parts.push_back({std::make_unique<Shrinker>(relative_cost, dear_share, 0.0, dear_calls), true});
+    auto part = std::make_unique<Shrinker>(relative_cost, dear_share, 0.0, dear_calls);
+    dear = part.get();
+    parts.push_back({std::move(part), true});
     contractor = make_fixpoint_contractor(std::move(parts), 0.9, 50);
   }
   /// What one box adds.
@@ -69,6 +79,15 @@ TEST(DearPart, IsCalledWhereItPaidAndBoxesAreFarLargerThanLeaves) {
   EXPECT_EQ(composition.after({{0, 1}}, so_far, 11).dear[0].calls, 0);
 }
 
+TEST(DearPart, IsLeftOutWhereItCostsMoreThanItSeemed) {
+  Composition composition(8, 0.875, 1 << 20);
+  Experience so_far = composition.after(kLarge, Experience(), 8);
+  EXPECT_EQ(so_far.dear[0].calls, 1);
+  EXPECT_EQ(so_far.dear[0].cost, 1 << 20);
+  so_far += composition.after({{0, 0.5}}, so_far, 9);
+  EXPECT_EQ(composition.after(kLarge, so_far, 11).dear[0].calls, 0);
+}
+
 TEST(DearPart, IsLeftOutWhereItGainedNothing) {
   Composition composition(8, 0.0);
   Experience so_far = composition.after(kLarge, Experience(), 8);
@@ -88,13 +107,13 @@ TEST(DearPart, IsDroppedWhereItCostsTooMuchEver) {
 TEST(Experience, AddsUp) {
   Experience a, b;
   a.boxes = 1;
-  a.dear[1] = {1, 2, 3};
+  a.dear[1] = {.boxes = 1, .calls = 2, .cost = 4, .halvings = 3};
   b.boxes = 2;
   b.rounds = 5;
   b.halvings = 7;
   b.leaves = 11;
   b.leaf_size = 13;
-  b.dear[1] = {10, 20, 30};
+  b.dear[1] = {.boxes = 10, .calls = 20, .cost = 40, .halvings = 30};
   a += b;
   EXPECT_EQ(a.boxes, 3);
   EXPECT_EQ(a.rounds, 5);
@@ -103,6 +122,7 @@ TEST(Experience, AddsUp) {
   EXPECT_EQ(a.leaf_size, 13);
   EXPECT_EQ(a.dear[1].boxes, 11);
   EXPECT_EQ(a.dear[1].calls, 22);
+  EXPECT_EQ(a.dear[1].cost, 44);
   EXPECT_EQ(a.dear[1].halvings, 33);
   EXPECT_EQ(a.dear[0].boxes, 0);
 }

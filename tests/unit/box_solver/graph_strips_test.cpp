@@ -90,7 +90,8 @@ TEST(GraphStrips, BecomeNarrowFast) {
   ExpressionGraph graph;
   const Expression sine = graph.apply(Operation::sin, graph.variable(0));
   double before = 1e300;
-  for (double size = 0.5; size > 1e-3; size /= 2) {
+  for (int halvings = 1; halvings < 10; ++halvings) {
+    const double size = std::ldexp(1, -halvings);
     const Interval chord = strips_around(sine, {-0.1, -0.1 + size})[2].range;
     EXPECT_LT(width(chord), 0.6 * before);
     EXPECT_LT(width(chord), size * size);
