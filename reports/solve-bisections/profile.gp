@@ -41,7 +41,7 @@ set label 'round robin' at screen 0.54410,0.02344 left font ',7' tc rgb '#202020
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:107.70906860943849]
+set xrange [1:126.44244999764439]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
@@ -58,7 +58,7 @@ plot \
   data index 3 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
   data index 3 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 4 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 4 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 4 using 1:2 every 1 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 5 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
   data index 5 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9'
 unset label; unset arrow
@@ -69,7 +69,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.13545 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:637.1999999999999]
+set xrange [1:497.3454545454545]
 set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]
@@ -86,7 +86,7 @@ plot \
   data index 9 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
   data index 9 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 10 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 10 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 10 using 1:2 every 1 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 11 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
   data index 11 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9'
 unset label; unset arrow
