@@ -61,7 +61,7 @@ TEST(RangeBoundSoundness, BoundsOverBoxesEncloseExactValues) {
   constexpr int kBoxes = 4, kPoints = 25;
   const std::vector<BoundChoice> choices = rigorous_choices();
   Random random(fuzz_seed(), "range_bound_over");
-  for (std::size_t cases = 0; cases < fuzz_cases(50'000) / 2; cases += kBoxes * kPoints) {
+  for (std::size_t cases = 0; cases < fuzz_cases(50'000) / 2; cases += std::size_t{kBoxes} * kPoints) {
     const RandomFunction f(random, choices);
     for (int b = 0; b < kBoxes; ++b) {
       const Box box = random_box(random, f.variables);
@@ -77,7 +77,7 @@ TEST(RangeBoundSoundness, BoundsAlongWalksEncloseExactValues) {
   constexpr int kDepth = 12, kPoints = 10;
   const std::vector<BoundChoice> choices = rigorous_choices();
   Random random(fuzz_seed(), "range_bound_walk");
-  for (std::size_t cases = 0; cases < fuzz_cases(50'000) / 2; cases += kDepth * kPoints) {
+  for (std::size_t cases = 0; cases < fuzz_cases(50'000) / 2; cases += std::size_t{kDepth} * kPoints) {
     const RandomFunction f(random, choices);
     Box box = random_box(random, f.variables);
     std::vector<std::unique_ptr<BoundWalk>> walks;
