@@ -55,7 +55,8 @@ class Surface {
     return {at(0, i), at(1, j), coefficient(i, j).get_d()};
   }
   const Rational& coefficient(int i, int j) const {
-    return tensor_.coefficients()[static_cast<std::size_t>(i * (degree(1) + 1) + j)];
+    const auto row = static_cast<std::size_t>(i), row_length = static_cast<std::size_t>(degree(1)) + 1;
+    return tensor_.coefficients()[row * row_length + static_cast<std::size_t>(j)];
   }
   SpacePoint point(double s, double t) const {
     const std::vector<Rational> x = {Rational(box_[0].lower + s * width(box_[0])),

@@ -193,9 +193,9 @@ Range BernsteinForms::on_side(std::size_t variable, const Range& t) const {
 Range BernsteinForms::zeros(std::size_t variable, const std::vector<double>& multipliers,
                             const Interval& claim) const {
   const Layers layers = layers_along(variable, multipliers);
-  const Range t = hull_zeros(layers);
+  Range t = hull_zeros(layers);
   if (t.is_empty()) return t;
-  const Range whole = on_side(variable, t);
+  Range whole = on_side(variable, t);
   if (whole.is_within(claim)) return whole;
   const Range part = zeros_in_parts(layers);
   return part.is_empty() ? part : intersection(whole, on_side(variable, part));

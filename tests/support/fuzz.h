@@ -11,8 +11,8 @@
 
 namespace gcslab {
 
-/// The number of random cases: GCSLAB_FUZZ_CASES, or the default of the test; never more than GCSLAB_FUZZ_AT_MOST, by which
-/// slow builds do less of what is much without doing more of what is little.
+/// The number of random cases: GCSLAB_FUZZ_CASES, or the default of the test; never more than
+/// GCSLAB_FUZZ_AT_MOST, by which slow builds do less of what is much without doing more of what is little.
 inline std::size_t fuzz_cases(std::size_t default_cases) {
   const char* cases = std::getenv("GCSLAB_FUZZ_CASES");
   const char* at_most = std::getenv("GCSLAB_FUZZ_AT_MOST");
