@@ -10,7 +10,7 @@ namespace {
 constexpr double kSmall = 1e-5;
 
 /// How many of the last clusters a box may join: searches go from neighbour to neighbour.
-constexpr std::size_t kWindow = 256;
+constexpr std::size_t kWindow = 16;
 
 /// No gap between them is wider than the wider of the two.
 bool are_near(const Box& a, const Box& b) {
