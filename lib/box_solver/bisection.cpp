@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_solver/combined_smear.h"
 #include "interval/fast_interval.h"
 
 namespace gcslab {
@@ -46,16 +47,14 @@ class RoundRobin final : public Bisection {
 enum class Smear { maximum, sum, relative_sum };
 
 template <Smear kind>
-class SmearBisection final : public Bisection {
+class SmearBisection final : public ScoredBisection {
  public:
   explicit SmearBisection(const SystemFunctions& functions)
       : functions_(&functions), evaluators_(made(functions)), smears_(functions.variables()) {}
 
-  std::size_t choose(const Box& box, const std::vector<std::size_t>& open, const BisectionHistory&) override {
+  const std::vector<double>& scores(const Box& box) override {
     compute(box);
-    const std::size_t best = with_largest(open, [&](std::size_t i) { return smears_[i]; });
-    if (smears_[best] > 0 && std::isfinite(smears_[best])) return best;
-    return with_largest(open, [&](std::size_t i) { return width(box[i]); });
+    return smears_;
   }
 
  private:
@@ -112,6 +111,18 @@ std::unique_ptr<Bisection> smear(const SystemFunctions& functions) {
 
 }  // namespace
 
+std::size_t ScoredBisection::choose(const Box& box, const std::vector<std::size_t>& open,
+                                    const BisectionHistory&) {
+  const std::vector<double>& score = scores(box);
+  const std::size_t best = with_largest(open, [&](std::size_t i) { return score[i]; });
+  if (score[best] > 0 && std::isfinite(score[best])) return best;
+  return with_largest(open, [&](std::size_t i) { return width(box[i]); });
+}
+
+std::unique_ptr<ScoredBisection> make_relative_smear_sum(const SystemFunctions& functions) {
+  return std::make_unique<SmearBisection<Smear::relative_sum>>(functions);
+}
+
 // A new strategy is one line here.
 const Registry<BisectionVariant>& bisection_registry() {
   static const Registry<BisectionVariant> registry(
@@ -125,6 +136,9 @@ const Registry<BisectionVariant>& bisection_registry() {
           {"relative_smear_sum",
            "as smear_sum, each equation's smears divided by their sum (Trombettoni et al. 2011)",
            &smear<Smear::relative_sum>},
+          {"combined_smear",
+           "relative_smear_sum, and the same for what least-squares multipliers leave over, in equal parts",
+           &make_combined_smear},
       });
   return registry;
 }

@@ -33,6 +33,16 @@ class Bisection {
                              const BisectionHistory& history) = 0;
 };
 
+/// A strategy that gives each variable a score and cuts the side with the largest.
+class ScoredBisection : public Bisection {
+ public:
+  /// The widest side where the scores say nothing.
+  std::size_t choose(const Box& box, const std::vector<std::size_t>& open,
+                     const BisectionHistory& history) final;
+  /// One score a variable, none of them negative; all 0 where nothing is known.
+  virtual const std::vector<double>& scores(const Box& box) = 0;
+};
+
 struct BisectionVariant {
   std::string name;
   std::string summary;
@@ -40,6 +50,9 @@ struct BisectionVariant {
 };
 
 const Registry<BisectionVariant>& bisection_registry();
+
+/// The strategy relative_smear_sum.
+std::unique_ptr<ScoredBisection> make_relative_smear_sum(const SystemFunctions& functions);
 
 /// The point near the middle at which a side is cut; for an unbounded side a point that leaves the parts of
 /// comparable orders of magnitude. Nothing when no number lies strictly between its ends.

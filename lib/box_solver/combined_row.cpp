@@ -146,6 +146,17 @@ T CombinedRow<T>::solve_square(std::size_t variable, std::span<const T> z,
 }
 
 template <class T>
+std::size_t CombinedRow<T>::dominant_variable() const {
+  std::size_t dominant = 0;
+  for (std::size_t i = 1; i < square_columns_.size(); ++i) {
+    if (magnitude(NumberTraits<T>::enclosure(values_[i])) >
+        magnitude(NumberTraits<T>::enclosure(values_[dominant])))
+      dominant = i;
+  }
+  return dominant;
+}
+
+template <class T>
 std::optional<std::size_t> CombinedRow<T>::square_column(std::size_t variable) const {
   if (square_columns_[variable] == kNone) return std::nullopt;
   return square_columns_[variable];

@@ -26,6 +26,8 @@ class CombinedRow {
   T solve(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const;
   /// The same, for a combination in which the square of z_i dominates.
   T solve_square(std::size_t variable, std::span<const T> z, const Expansion<T>& expansion) const;
+  /// The variable whose linear coefficient is largest.
+  std::size_t dominant_variable() const;
   /// The column of z_i^2, if there is one.
   std::optional<std::size_t> square_column(std::size_t variable) const;
 

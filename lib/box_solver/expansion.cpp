@@ -31,6 +31,19 @@ std::size_t expansion_terms(const Polynomial& polynomial) {
   return count;
 }
 
+/// Whether it is x_variable g + c with a constant c other than 0 and a g of further variables.
+bool has_quotient(const Polynomial& polynomial, std::size_t variable) {
+  bool has_constant = false, has_others = false;
+  for (const auto& [exponents, coefficient] : polynomial.terms()) {
+    int degree = 0;
+    for (const int e : exponents) degree += e;
+    has_constant = has_constant || degree == 0;
+    if (degree > 0 && exponents[variable] == 0) return false;
+    has_others = has_others || degree > exponents[variable];
+  }
+  return has_constant && has_others;
+}
+
 ScaledMonomial monomial_of(const Exponents& exponents) {
   ScaledMonomial result;
   for (std::size_t i = 0; i < exponents.size(); ++i) {
@@ -49,20 +62,62 @@ ExpansionPlan::ExpansionPlan(const SystemFunctions& functions, ExpandedFunctions
     static_cast<void>(column_of(exponents));
   }
   for (const SystemFunction& equation : functions.equations()) add_row(equation);
+  if (which == ExpandedFunctions::equations_and_quotients) {
+    for (std::size_t k = 0; k < functions.equations().size(); ++k) add_quotients(k);
+  }
   equation_columns_ = columns_.size();
-  if (which == ExpandedFunctions::equations) return;
+  if (which != ExpandedFunctions::constraints) return;
   for (const SystemFunction& inequality : functions.inequalities()) add_row(inequality);
 }
 
 const SystemFunction& ExpansionPlan::function(std::size_t row) const {
   const std::size_t equations = functions_->equations().size();
-  return row < equations ? functions_->equations()[row] : functions_->inequalities()[row - equations];
+  if (row < equations) return functions_->equations()[row];
+  if (row < equations + quotients_.size())
+    return functions_->equations()[quotients_[row - equations].equation];
+  return functions_->inequalities()[row - equations];
 }
 
 void ExpansionPlan::add_row(const SystemFunction& function) {
   rows_.emplace_back();
   if (function.polynomial && expansion_terms(*function.polynomial) <= kMaximumTerms)
     add_entries(expanded(*function.polynomial));
+}
+
+void ExpansionPlan::add_quotients(std::size_t equation) {
+  if (!is_expanded(equation)) return;
+  const Polynomial& polynomial = *functions_->equations()[equation].polynomial;
+  for (const std::size_t i : functions_->equations()[equation].variables) {
+    if (!has_quotient(polynomial, i)) continue;
+    quotients_.push_back({static_cast<std::uint32_t>(equation), static_cast<std::uint32_t>(i)});
+    add_quotient(polynomial, quotients_.back().variable);
+  }
+}
+
+void ExpansionPlan::add_quotient(const Polynomial& polynomial, std::uint32_t variable) {
+  Polynomial g(polynomial.variables());
+  Rational constant;
+  for (const auto& [exponents, coefficient] : polynomial.terms()) {
+    if (exponents[variable] == 0) {
+      constant = coefficient;
+      continue;
+    }
+    Exponents divided = exponents;
+    --divided[variable];
+    g.add_term(divided, coefficient);
+  }
+  Entries entries = expanded(g);
+  Exponents linear(functions_->variables(), 0);
+  linear[variable] = 1;
+  // The column of c / x_variable, which need not occur in g.
+  if (entries[linear].empty()) entries[linear].push_back({0, Exponents(functions_->variables(), 0)});
+  rows_.emplace_back();
+  add_entries(entries);
+  Row& row = rows_.back();
+  const auto place = std::ranges::find(row.entries, variable, &Entry::column);
+  row.reciprocal = Reciprocal{static_cast<std::uint32_t>(coefficients_.size()), variable,
+                              static_cast<std::size_t>(place - row.entries.begin())};
+  coefficients_.push_back(constant);
 }
 
 ExpansionPlan::Entries ExpansionPlan::expanded(const Polynomial& polynomial) {
@@ -196,6 +251,27 @@ void Expansion<T>::expand_polynomial(std::size_t number) {
       *value++ = sum * radius_products_[entry.product];
     }
   }
+  if (plan_->rows_[number].reciprocal) add_reciprocal(number);
+}
+
+/// c / x = c / m - c / (m x) (x - m).
+template <class T>
+void Expansion<T>::add_reciprocal(std::size_t number) {
+  ExpansionRow<T>& row = rows_[number];
+  const auto& [coefficient, i, place] = *plan_->rows_[number].reciprocal;
+  if (contains(NumberTraits<T>::enclosure(box_[i]), 0)) {
+    make_empty(row);
+    return;
+  }
+  const T at_centre = coefficients_[coefficient] / centre_[i];
+  row.constant = row.constant + at_centre;
+  row.values[place] = row.values[place] - at_centre / box_[i] * radius_box_[i];
+}
+
+template <class T>
+void Expansion<T>::make_empty(ExpansionRow<T>& row) {
+  row.constant = NumberTraits<T>::from_interval(Interval::entire());
+  std::ranges::fill(row.values, NumberTraits<T>::from_interval(Interval(0)));
 }
 
 template <class T>
@@ -206,8 +282,7 @@ void Expansion<T>::expand_by_mean_value(std::size_t number) {
   row.constant = evaluator.value();
   evaluator.evaluate(box_);
   if (!evaluator.defined_everywhere()) {
-    row.constant = NumberTraits<T>::from_interval(Interval::entire());
-    std::ranges::fill(row.values, NumberTraits<T>::from_interval(Interval(0)));
+    make_empty(row);
     return;
   }
   const std::span<const T> gradient = evaluator.reverse_gradient();

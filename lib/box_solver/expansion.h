@@ -11,9 +11,14 @@
 // polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in the
 // linear columns alone. A function that may be undefined in the box gets an empty row with an unbounded
 // constant.
+//
+// Where they are wanted, further rows are quotients: an equation x_i g + c = 0 with a constant c, divided by
+// x_i. Its polynomial g is expanded as above, c / x_i by its slope; the row is empty while 0 lies in side i.
+// So a factor x_i that is wide but far from 0 does not multiply what is known of g.
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,7 +51,14 @@ struct ExpansionRow {
 /// Which functions of a system an expansion has rows for.
 enum class ExpandedFunctions {
   equations,
-  constraints  ///< equations, then inequalities f <= 0
+  equations_and_quotients,  ///< equations, then all their quotients
+  constraints               ///< equations, then inequalities f <= 0
+};
+
+/// An equation x_variable g + c = 0, with a constant c, divided by the variable.
+struct Quotient {
+  std::uint32_t equation;
+  std::uint32_t variable;
 };
 
 /// Which monomials and terms occur: found once for a system.
@@ -57,8 +69,12 @@ class ExpansionPlan {
 
   const SystemFunctions& functions() const { return *functions_; }
   std::size_t rows() const { return rows_.size(); }
-  bool is_inequality(std::size_t row) const { return row >= functions_->equations().size(); }
-  /// The function of a row.
+  /// Those that have rows, after the equations.
+  const std::vector<Quotient>& quotients() const { return quotients_; }
+  bool is_inequality(std::size_t row) const {
+    return row >= functions_->equations().size() + quotients_.size();
+  }
+  /// The function of a row; of a quotient: the equation.
   const SystemFunction& function(std::size_t row) const;
   const std::vector<ScaledMonomial>& columns() const { return columns_; }
   /// How many of the columns, the first ones, are the variables or occur in equations.
@@ -87,8 +103,15 @@ class ExpansionPlan {
     std::uint32_t first_term;
     std::uint32_t end_term;
   };
+  /// The part c / x_variable of a quotient.
+  struct Reciprocal {
+    std::uint32_t coefficient;
+    std::uint32_t variable;
+    std::size_t place;  ///< of the variable's column among those of the row
+  };
   struct Row {
     std::vector<Entry> entries;
+    std::optional<Reciprocal> reciprocal;
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
 
@@ -101,6 +124,8 @@ class ExpansionPlan {
 
   static Entries expanded(const Polynomial& polynomial);
   void add_row(const SystemFunction& function);
+  void add_quotients(std::size_t equation);
+  void add_quotient(const Polynomial& polynomial, std::uint32_t variable);
   void add_entries(const Entries& entries);
   std::uint32_t column_of(const Exponents& exponents);
   std::uint32_t product_of(const Exponents& exponents);
@@ -114,6 +139,7 @@ class ExpansionPlan {
   std::vector<Rational> coefficients_;
   std::vector<Term> terms_;
   std::vector<Row> rows_;
+  std::vector<Quotient> quotients_;
 };
 
 template <class T>
@@ -137,6 +163,8 @@ class Expansion {
  private:
   void compute_products(std::span<const T> numbers, std::vector<T>& products) const;
   void expand_polynomial(std::size_t number);
+  void add_reciprocal(std::size_t number);
+  static void make_empty(ExpansionRow<T>& row);
   void expand_by_mean_value(std::size_t number);
 
   const ExpansionPlan* plan_;

@@ -19,17 +19,21 @@ double dot(const double* a, const double* b, std::size_t size) {
   return sum;
 }
 
+double sqr(double x) { return x * x; }
+
 }  // namespace
 
 void LeastSquaresMultipliers::reset(std::size_t rows, std::size_t columns, std::size_t linear) {
   linear_ = linear;
   if (f_.rows() != rows || f_.columns() != columns) {
     f_ = Matrix<double>(rows, columns);
-    gram_ = Matrix<double>(rows, rows);
+    factor_ = Matrix<double>(rows, rows);
     multipliers_ = Matrix<double>(linear, rows);
     scales_.resize(rows);
   }
   f_.fill(0);
+  constants_.assign(rows, 0);
+  spreads_.assign(rows, 0);
 }
 
 void LeastSquaresMultipliers::scale_rows() {
@@ -41,40 +45,93 @@ void LeastSquaresMultipliers::scale_rows() {
   }
 }
 
-/// The Cholesky factor of F F^T + eps I, row by row.
-bool LeastSquaresMultipliers::factorise() {
-  constexpr double kRegularisation = 1e-10;
-  const std::size_t m = f_.rows();
-  for (std::size_t i = 0; i < m; ++i) {
+/// A row of zeros takes no part: true, and its row of the factor is made.
+bool LeastSquaresMultipliers::skip_zero_row(std::size_t i) {
+  if (scales_[i] != 0) return false;
+  std::ranges::fill(factor_.row(i), 0);
+  factor_(i, i) = 1;
+  return true;
+}
+
+/// False when the factor is not to be trusted.
+bool LeastSquaresMultipliers::factorise_gram() {
+  constexpr double kTrustedPivot = 1e-8;  // of rows scaled to largest entry 1: half the digits
+  for (std::size_t i = 0; i < f_.rows(); ++i) {
+    if (skip_zero_row(i)) continue;
     for (std::size_t j = 0; j <= i; ++j) {
-      const double entry = dot(f_.row(i).data(), f_.row(j).data(), f_.columns()) -
-                           dot(gram_.row(i).data(), gram_.row(j).data(), j);
+      double entry = dot(f_.row(i).data(), f_.row(j).data(), f_.columns()) -
+                     dot(factor_.row(i).data(), factor_.row(j).data(), j);
       if (i != j) {
-        gram_(i, j) = entry / gram_(j, j);
+        factor_(i, j) = entry / factor_(j, j);
         continue;
       }
-      if (!(entry + kRegularisation > 0) || !std::isfinite(entry)) return false;
-      gram_(i, i) = std::sqrt(entry + kRegularisation);
+      entry += sqr(scales_[i] * spreads_[i]);
+      if (!(entry > kTrustedPivot) || !std::isfinite(entry)) return false;
+      factor_(i, i) = std::sqrt(entry);
     }
   }
   return true;
 }
 
-bool LeastSquaresMultipliers::solve_for(std::size_t column, std::span<double> x) const {
+/// False when the factor is not finite.
+bool LeastSquaresMultipliers::orthogonalise_rows() {
+  constexpr double kLeastSpread = 1e-12;  // of rows scaled as above: keeps L regular
   const std::size_t m = f_.rows();
-  for (std::size_t k = 0; k < m; ++k)
-    x[k] = (f_(k, column) - dot(gram_.row(k).data(), x.data(), k)) / gram_(k, k);
-  for (std::size_t k = m; k-- > 0;) {
-    x[k] /= gram_(k, k);
-    for (std::size_t j = 0; j < k; ++j) x[j] -= gram_(k, j) * x[k];
+  const std::size_t columns = f_.columns();
+  orthogonal_ = Matrix<double>(m, columns + m);
+  for (std::size_t i = 0; i < m; ++i) {
+    if (skip_zero_row(i)) continue;
+    const std::span<double> row = orthogonal_.row(i);
+    std::ranges::copy(f_.row(i), row.begin());
+    row[columns + i] = kLeastSpread + scales_[i] * spreads_[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::span<const double> unit = orthogonal_.row(j);
+      factor_(i, j) = dot(row.data(), unit.data(), row.size());
+      for (std::size_t c = 0; c < row.size(); ++c) row[c] -= factor_(i, j) * unit[c];
+    }
+    factor_(i, i) = std::sqrt(dot(row.data(), row.data(), row.size()));
+    if (!(factor_(i, i) > 0) || !std::isfinite(factor_(i, i))) return false;
+    for (double& entry : row) entry /= factor_(i, i);
   }
-  for (std::size_t k = 0; k < m; ++k) x[k] *= scales_[k];
+  return true;
+}
+
+bool LeastSquaresMultipliers::solve_for(std::size_t column, std::span<double> x) const {
+  if (is_orthogonal_) {
+    for (std::size_t k = 0; k < f_.rows(); ++k) x[k] = orthogonal_(k, column);
+  } else {
+    for (std::size_t k = 0; k < f_.rows(); ++k) x[k] = f_(k, column);
+    forward_substitute(x);
+  }
+  return back_substitute(x);
+}
+
+bool LeastSquaresMultipliers::solve_for_constant(std::span<double> x) const {
+  for (std::size_t k = 0; k < f_.rows(); ++k) x[k] = scales_[k] * constants_[k];
+  forward_substitute(x);
+  return back_substitute(x);
+}
+
+/// x becomes L^-1 x.
+void LeastSquaresMultipliers::forward_substitute(std::span<double> x) const {
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = (x[k] - dot(factor_.row(k).data(), x.data(), k)) / factor_(k, k);
+}
+
+/// x becomes S L^-T x, with S the scales of the rows.
+bool LeastSquaresMultipliers::back_substitute(std::span<double> x) const {
+  for (std::size_t k = x.size(); k-- > 0;) {
+    x[k] /= factor_(k, k);
+    for (std::size_t j = 0; j < k; ++j) x[j] -= factor_(k, j) * x[k];
+  }
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] *= scales_[k];
   return std::ranges::all_of(x, [](double v) { return std::isfinite(v); });
 }
 
 bool LeastSquaresMultipliers::solve() {
   scale_rows();
-  if (!factorise()) return false;
+  is_orthogonal_ = !factorise_gram();
+  if (is_orthogonal_ && !orthogonalise_rows()) return false;
   for (std::size_t i = 0; i < linear_; ++i) {
     if (!solve_for(i, multipliers_.row(i))) return false;
   }

@@ -3,25 +3,24 @@
 #include <cmath>
 
 #include "box_solver/combined_row.h"
-#include "box_solver/least_squares.h"
+#include "box_solver/expansion_multipliers.h"
 #include "interval/arithmetic.h"
 
 namespace gcslab {
 namespace {
 
-/// The middle of a bounded interval, roughly.
-double middle_of(const Interval& x) { return 0.5 * x.lower + 0.5 * x.upper; }
-
 template <class T>
 class MultiplierContractor final : public Contractor {
  public:
   MultiplierContractor(const SystemFunctions& functions, const MultiplierOptions& options)
-      : options_(options), plan_(functions), parts_(made(plan_, options)) {}
+      : options_(options),
+        plan_(functions, ExpandedFunctions::equations_and_quotients),
+        parts_(made(plan_, options)) {}
 
   /// A combination and its solution for each variable, and the factorisation.
   double cost() const override {
     const auto n = static_cast<double>(plan_.functions().variables());
-    const auto m = static_cast<double>(plan_.functions().equations().size());
+    const auto m = static_cast<double>(plan_.rows());
     return (3 * n + m * m) * static_cast<double>(plan_.columns().size());
   }
 
@@ -32,11 +31,13 @@ class MultiplierContractor final : public Contractor {
     const typename NumberTraits<T>::Scope scope(options_.bits);
     Expansion<T>& expansion = parts_.expansion;
     expansion.expand(box);
-    if (!compute_multipliers()) return true;
+    if (!compute_multipliers(expansion, system_)) return true;
     trace.add({Argument::expansion});
     scale_box(box);
+    expansion.bound_columns(z_);
+    if (!exclude(box, trace)) return false;
     for (int pass = 0; pass < options_.passes; ++pass) {
-      expansion.bound_columns(z_);
+      if (pass > 0) expansion.bound_columns(z_);
       bool gained = false;
       for (std::size_t i = 0; i < box.size(); ++i) {
         const double before = width(box[i]);
@@ -62,19 +63,6 @@ class MultiplierContractor final : public Contractor {
             std::vector<CombinedRow<T>>(plan.functions().variables(), CombinedRow<T>(plan))};
   }
 
-  /// C from the midpoints of the expansion.
-  bool compute_multipliers() {
-    const std::size_t equations = plan_.functions().equations().size();
-    system_.reset(equations, plan_.columns().size(), plan_.functions().variables());
-    for (std::size_t k = 0; k < equations; ++k) {
-      const ExpansionRow<T>& row = parts_.expansion.row(k);
-      if (!is_bounded(NumberTraits<T>::enclosure(row.constant))) continue;
-      for (std::size_t c = 0; c < row.columns.size(); ++c)
-        system_.set(k, row.columns[c], middle_of(NumberTraits<T>::enclosure(row.values[c])));
-    }
-    return system_.solve();
-  }
-
   void scale_box(const Box& box) {
     z_.clear();
     for (std::size_t i = 0; i < box.size(); ++i) z_.push_back(scaled_side(i, box[i]));
@@ -98,17 +86,28 @@ class MultiplierContractor final : public Contractor {
                      trace);
   }
 
+  /// The combination that comes nearest to a constant: false where it shows that the box is empty.
+  bool exclude(Box& box, ProofTrace& trace) {
+    extra_multipliers_.resize(plan_.rows());
+    if (!system_.solve_for_constant(extra_multipliers_)) return true;
+    CombinedRow<T>& row = parts_.rows.front();
+    row.combine(parts_.expansion, extra_multipliers_);
+    const std::size_t i = row.dominant_variable();
+    return take_over(i, row.solve(i, z_, parts_.expansion), {Argument::expansion_row, extra_multipliers_},
+                     box, trace);
+  }
+
   /// Where the linear parts determine nothing, as around a tangency, combinations in which a square
   /// dominates.
   bool solve_squares(Box& box, ProofTrace& trace) {
-    square_multipliers_.resize(plan_.functions().equations().size());
+    extra_multipliers_.resize(plan_.rows());
     for (std::size_t i = 0; i < box.size(); ++i) {
       CombinedRow<T>& row = parts_.rows[i];
       const auto column = row.square_column(i);
-      if (!column || !system_.solve_for(*column, square_multipliers_)) continue;
-      row.combine(parts_.expansion, square_multipliers_);
-      if (!take_over(i, row.solve_square(i, z_, parts_.expansion),
-                     {Argument::square_row, square_multipliers_}, box, trace))
+      if (!column || !system_.solve_for(*column, extra_multipliers_)) continue;
+      row.combine(parts_.expansion, extra_multipliers_);
+      if (!take_over(i, row.solve_square(i, z_, parts_.expansion), {Argument::square_row, extra_multipliers_},
+                     box, trace))
         return false;
     }
     return true;
@@ -137,10 +136,18 @@ class MultiplierContractor final : public Contractor {
     return true;
   }
 
-  static void tell(std::size_t i, const Interval& side, const Reason& reason, ProofTrace& trace) {
+  void tell(std::size_t i, const Interval& side, const Reason& reason, ProofTrace& trace) const {
     if (!trace.wanted()) return;
-    trace.add({reason.argument, 0, static_cast<std::uint32_t>(i), side,
-               std::vector<double>(reason.multipliers.begin(), reason.multipliers.end())});
+    const std::size_t equations = plan_.functions().equations().size();
+    ProofStep step{reason.argument, 0, static_cast<std::uint32_t>(i), side};
+    step.multipliers.assign(reason.multipliers.begin(),
+                            reason.multipliers.begin() + static_cast<std::ptrdiff_t>(equations));
+    for (std::size_t q = 0; q < plan_.quotients().size(); ++q) {
+      const double multiplier = reason.multipliers[equations + q];
+      if (multiplier != 0)
+        step.quotients.push_back({plan_.quotients()[q].equation, plan_.quotients()[q].variable, multiplier});
+    }
+    trace.add(std::move(step));
   }
 
   MultiplierOptions options_;
@@ -148,7 +155,7 @@ class MultiplierContractor final : public Contractor {
   Parts parts_;
   LeastSquaresMultipliers system_;
   std::vector<T> z_;
-  std::vector<double> square_multipliers_;
+  std::vector<double> extra_multipliers_;
 };
 
 }  // namespace

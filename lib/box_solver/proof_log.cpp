@@ -140,6 +140,13 @@ void ProofLog::step(const ProofStep& step) {
       append_interval(line_, step.result);
   }
   for (const double multiplier : step.multipliers) append_number(line_, multiplier);
+  for (const QuotientMultiplier& quotient : step.quotients) {
+    line_ += " q";
+    append_integer(line_, quotient.equation);
+    append_integer(line_, quotient.variable);
+    line_ += " :";
+    append_number(line_, quotient.multiplier);
+  }
   if (step.argument == Argument::polytope) line_ += " ;";
   for (const ProductMultiplier& product : step.products) {
     line_ += product.is_square ? " s" : " p";

@@ -16,7 +16,9 @@
 //     hull_inequality K V LO HI
 //     expansion LO HI ...            expansions are about the midpoint of the box as it is now; with a side
 //                                    for each term or none
-//     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V
+//     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V; more
+//                                    summands may follow: "q K I : M", M times equation K divided by
+//                                    variable I, which all its terms contain but for a constant
 //     square_row V LO HI C ...       the same, solved for the square of z_V
 //     polytope V LO HI C ... ; P ... with f_k about the midpoint at `expansion`, in z of [-1, 1]^n, first of
 //                                    equations, then of inequalities, whose C are <= 0: +-z_V - sum C_k f_k

@@ -35,6 +35,14 @@ enum class Argument : std::uint8_t {
 /// The word that proof logs use.
 std::string_view name_of(Argument argument);
 
+/// An equation x_variable g + c = 0 with a constant c, divided by the variable, with its multiplier. Side
+/// `variable` of the box of the last `expansion` has no 0 in it.
+struct QuotientMultiplier {
+  std::uint32_t equation;
+  std::uint32_t variable;
+  double multiplier;
+};
+
 /// A monomial of z in [-1, 1]^n as its variables with repetition, and a sign.
 struct SignedMonomial {
   int sign;
@@ -64,9 +72,10 @@ struct ProofStep {
   std::uint32_t variable = 0;
   Interval result{};  ///< of the variable; empty: the box has no root; `cases`: the border
   std::vector<double> multipliers{};
-  std::vector<ProductMultiplier> products{};  ///< of `polytope`
-  std::vector<StripMultiplier> strips{};      ///< of `polytope`
-  Box terms{};                                ///< of `expansion`: sides that contain the terms of the system
+  std::vector<QuotientMultiplier> quotients{};  ///< of `expansion_row` and `square_row`: more of the sum
+  std::vector<ProductMultiplier> products{};    ///< of `polytope`
+  std::vector<StripMultiplier> strips{};        ///< of `polytope`
+  Box terms{};  ///< of `expansion`: sides that contain the terms of the system
 };
 
 /// Collects the steps taken on one box, when somebody wants them.

@@ -39,8 +39,7 @@ std::vector<OptionSpec> SolverMethod::options() const {
                     "products of bound factors in the polytope, from degree 3 on: of pairs of columns, of a "
                     "factor for each variable, or both",
                     "factors", {"pairs", "factors", "both"}),
-      choice_option("bisection", "which side of a box is cut", "relative_smear_sum",
-                    bisection_registry().names()),
+      choice_option("bisection", "which side of a box is cut", bisection, bisection_registry().names()),
       OptionSpec{"certifier",
                  "what proves roots: names joined by +, which together must show that a root exists and that "
                  "it is alone; of " +
@@ -81,7 +80,7 @@ const Registry<SolverMethod>& solver_method_registry() {
           {"adaptive",
            "hull consistency and least-squares multipliers while they gain; constructive disjunction and "
            "linear programs where they have paid",
-           2, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?"},
+           3, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?", "combined_smear"},
           {"interval_newton",
            "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 1, "newton"},
           {"krawczyk", "Krawczyk's operator", 1, "krawczyk"},
@@ -93,7 +92,7 @@ const Registry<SolverMethod>& solver_method_registry() {
           {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 1,
            "mourrain_pavone"},
           {"lp_reduction", "linear programs over the Bernstein polytope of the box", 2, "lp_reduction"},
-          {"multiplier_projection", "least-squares multipliers alone", 1, "multipliers"},
+          {"multiplier_projection", "least-squares multipliers alone", 2, "multipliers"},
       });
   return registry;
 }

@@ -17,8 +17,10 @@ namespace gcslab {
 struct SolverMethod {
   std::string name;
   std::string summary;
-  int version;             ///< raised when answers or counts change
-  std::string contractor;  ///< the default of its option `contractor`
+  int version;  ///< raised when answers or counts change
+  // Defaults of its options of these names.
+  std::string contractor;
+  std::string bisection = "relative_smear_sum";
 
   /// The options of the engine with this method's defaults.
   std::vector<OptionSpec> options() const;

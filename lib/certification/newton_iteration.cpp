@@ -34,7 +34,7 @@ NewtonIteration::NewtonIteration(const SystemFunctions& functions, std::vector<d
       jacobian_(functions.variables(), functions.variables()) {}
 
 double NewtonIteration::reach(std::size_t variable, const Interval& side) const {
-  return std::max(radius(side), 1e-8 * scales_[variable]);
+  return std::max(radius(side), 1e-8 * std::max(scales_[variable], magnitude(side)));
 }
 
 bool NewtonIteration::stays_near(const Box& box, std::span<const double> point) const {

@@ -34,7 +34,7 @@ class NewtonIteration {
   /// One step; the largest part of the box's radii that it moves, nothing when it breaks down.
   std::optional<double> step(const Box& box, std::vector<double>& point);
   bool stays_near(const Box& box, std::span<const double> point) const;
-  /// The radius of a side, or a small part of its scale when that is larger.
+  /// The radius of a side, or a small part of its scale or its magnitude when that is larger.
   double reach(std::size_t variable, const Interval& side) const;
 
   std::vector<double> scales_;

@@ -26,17 +26,22 @@ Range quadratic_range(const Range& a, const Range& q, const Range& z) {
 
 }  // namespace
 
-void CombinedRow::combine(Expansion& expansion, const std::vector<double>& multipliers) {
+void CombinedRow::add_row(const ExpandedRow& row, double multiplier) {
+  constant_ = constant_ + scaled(multiplier, row.constant);
+  for (std::size_t c = 0; c < row.columns.size(); ++c) {
+    Range& sum = values_[row.columns[c]];
+    sum = sum + scaled(multiplier, row.values[c]);
+  }
+}
+
+void CombinedRow::combine(Expansion& expansion, const EquationSum& sum) {
   constant_ = 0.0;
   values_.assign(expansion.columns().size(), Range());
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    if (multipliers[k] == 0) continue;
-    const ExpandedRow& row = expansion.row(k);
-    constant_ = constant_ + scaled(multipliers[k], row.constant);
-    for (std::size_t c = 0; c < row.columns.size(); ++c) {
-      Range& sum = values_[row.columns[c]];
-      sum = sum + scaled(multipliers[k], row.values[c]);
-    }
+  for (std::size_t k = 0; k < sum.multipliers.size(); ++k) {
+    if (sum.multipliers[k] != 0) add_row(expansion.row(k), sum.multipliers[k]);
+  }
+  for (const auto& [quotient, multiplier] : sum.quotients) {
+    if (multiplier != 0) add_row(expansion.row(quotient), multiplier);
   }
   squares_.assign(expansion.variables(), Range());
   mixed_.clear();

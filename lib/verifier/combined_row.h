@@ -2,16 +2,24 @@
 
 // A linear combination of the rows of an expansion, solved for one variable.
 
+#include <utility>
 #include <vector>
 
 #include "verifier/expansion.h"
 
 namespace gcslab::verifier {
 
+/// The sum of multipliers[k] times equation k, and of quotients times their multipliers.
+struct EquationSum {
+  std::vector<double> multipliers;
+  std::vector<std::pair<Quotient, double>> quotients{};
+  bool operator==(const EquationSum&) const = default;
+};
+
 class CombinedRow {
  public:
-  /// Sums multipliers[k] times row k.
-  void combine(Expansion& expansion, const std::vector<double>& multipliers);
+  /// Every quotient is one that the expansion has.
+  void combine(Expansion& expansion, const EquationSum& sum);
 
   /// Encloses {z_i : z in the box `z`, the combination is 0 at z}.
   Range solve(const Expansion& expansion, std::size_t variable, const RangeBox& z) const;
@@ -24,6 +32,7 @@ class CombinedRow {
     Range rest, slope, square;
   };
   Parts parts(const Expansion& expansion, std::size_t variable, const RangeBox& z) const;
+  void add_row(const ExpandedRow& row, double multiplier);
   void add_powers(Parts& parts, std::size_t variable, const RangeBox& z) const;
   void add_mixed(Parts& parts, const Monomial& monomial, const Range& value, std::size_t variable,
                  const RangeBox& z) const;

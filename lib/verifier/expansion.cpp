@@ -55,7 +55,32 @@ Expansion::Expansion(JudgedSystem& system)
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     entries_.emplace_back();
     const std::optional<PolynomialTerms>& polynomial = function(k).polynomial;
-    if (polynomial && expansion_terms(*polynomial) <= kMaximumTerms) plan(*polynomial, entries_.back());
+    if (!polynomial || expansion_terms(*polynomial) > kMaximumTerms) continue;
+    plan(*polynomial, entries_.back());
+    if (k < system.equations().size()) plan_quotients(k);
+  }
+}
+
+void Expansion::plan_quotients(std::size_t equation) {
+  const PolynomialTerms& polynomial = *system_->equations()[equation].polynomial;
+  for (std::size_t i = 0; i < variables(); ++i) {
+    PolynomialTerms quotient;
+    Rational constant;
+    bool divides = true;
+    for (const auto& [exponents, coefficient] : polynomial) {
+      std::vector<int> divided = exponents;
+      if (std::ranges::all_of(exponents, [](int e) { return e == 0; })) {
+        constant = coefficient;
+      } else if (--divided[i] >= 0) {
+        quotient.emplace(std::move(divided), coefficient);
+      } else {
+        divides = false;
+      }
+    }
+    if (!divides || quotient.empty()) continue;
+    QuotientRow& row = quotients_[{equation, i}];
+    row.constant = Range(constant);
+    plan(quotient, row.entries);
   }
 }
 
@@ -123,6 +148,7 @@ void Expansion::expand(const Box& box) {
   compute_products(midpoints_, midpoint_products_);
   compute_products(radii_, radius_products_);
   has_row_.assign(rows_.size(), false);
+  for (auto& [quotient, row] : quotients_) row.is_made = false;
 }
 
 void Expansion::compute_products(const std::vector<double>& numbers, std::vector<Range>& products) const {
@@ -144,6 +170,34 @@ const ExpandedRow& Expansion::row(std::size_t number) {
     expand_by_mean_value(function(number).program, row);
   } else {
     expand_polynomial(entries_[number], row);
+  }
+  return row;
+}
+
+/// c / x = c / m - c / (m x) (x - m).
+const ExpandedRow& Expansion::row(const Quotient& quotient) {
+  QuotientRow& made = quotients_.at(quotient);
+  ExpandedRow& row = made.row;
+  if (made.is_made) return row;
+  made.is_made = true;
+  row.columns.clear();
+  row.values.clear();
+  const Range side(box_[quotient.variable]);
+  if (side.contains_zero()) {
+    row.constant = Range::entire();
+    return row;
+  }
+  expand_polynomial(made.entries, row);
+  const Range at_centre = made.constant / Range(midpoints_[quotient.variable]);
+  const Range slope = -(at_centre / side * Range(radii_[quotient.variable]));
+  row.constant = row.constant + at_centre;
+  const auto column = std::ranges::find(row.columns, quotient.variable);
+  if (column != row.columns.end()) {
+    Range& value = row.values[static_cast<std::size_t>(column - row.columns.begin())];
+    value = value + slope;
+  } else {
+    row.columns.push_back(static_cast<std::uint32_t>(quotient.variable));
+    row.values.push_back(slope);
   }
   return row;
 }

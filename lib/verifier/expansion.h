@@ -8,6 +8,9 @@
 // m, which is exact up to rounding; any other function, and a polynomial whose expansion has more than 20,000
 // terms, gets f(m) and its slopes over the box in the linear columns. Where such a function may be undefined
 // the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as doubles.
+//
+// The quotient of an equation x_i g + c = 0, with a constant c, by x_i is g + c / x_i: g expanded as above,
+// c / x_i by its slope. Where side i contains 0 its constant is unbounded.
 
 #include <cstdint>
 #include <map>
@@ -26,6 +29,13 @@ struct ExpandedRow {
   std::vector<Range> values;
 };
 
+/// An equation divided by a variable.
+struct Quotient {
+  std::size_t equation;
+  std::size_t variable;
+  auto operator<=>(const Quotient&) const = default;
+};
+
 class Expansion {
  public:
   /// `system` must outlive it.
@@ -42,6 +52,9 @@ class Expansion {
   const std::vector<double>& radii() const { return radii_; }
   /// The row of a function, computed when first asked for.
   const ExpandedRow& row(std::size_t number);
+  /// Whether the equation is a polynomial of that form.
+  bool has_quotient(const Quotient& quotient) const { return quotients_.contains(quotient); }
+  const ExpandedRow& row(const Quotient& quotient);
 
  private:
   struct Term {
@@ -53,7 +66,14 @@ class Expansion {
     std::vector<Term> terms;
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
+  struct QuotientRow {
+    std::vector<Entry> entries;  ///< of g
+    Range constant;              ///< c
+    bool is_made = false;
+    ExpandedRow row;
+  };
 
+  void plan_quotients(std::size_t equation);
   void plan(const PolynomialTerms& polynomial, std::vector<Entry>& entries);
   std::uint32_t column_of(const std::vector<int>& exponents);
   std::uint32_t product_of(const std::vector<int>& exponents);
@@ -75,6 +95,7 @@ class Expansion {
   std::vector<Range> midpoint_products_, radius_products_;
   std::vector<ExpandedRow> rows_;
   std::vector<bool> has_row_;
+  std::map<Quotient, QuotientRow> quotients_;
 };
 
 }  // namespace gcslab::verifier

@@ -90,6 +90,9 @@ double ProofReplay::read_multiplier() {
 void ProofReplay::read_row(std::string_view word) {
   Interval claim;
   const std::size_t variable = read_claim(claim, system_->equations().size());
+  const bool is_expanded = word == "expansion_row" || word == "square_row";
+  EquationSum sum{multipliers_};
+  while (is_expanded && !reader_->at_end_of_line()) sum.quotients.push_back(read_quotient());
   reader_->end_line();
   if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
   if (word == "bernstein_row" && !judge_.bernstein_refusal().empty())
@@ -98,9 +101,19 @@ void ProofReplay::read_row(std::string_view word) {
       word == "bernstein_row"
           ? judge_.bernstein_row(part_.expansion, variable, multipliers_, claim, part_.box)
       : word == "mean_value_row" ? judge_.mean_value_row(part_.expansion, variable, multipliers_, part_.box)
-      : word == "square_row"     ? judge_.square_row(part_.expansion, variable, multipliers_, part_.box)
-                                 : judge_.expansion_row(part_.expansion, variable, multipliers_, part_.box);
+      : word == "square_row"     ? judge_.square_row(part_.expansion, variable, sum, part_.box)
+                                 : judge_.expansion_row(part_.expansion, variable, sum, part_.box);
   take_claim(variable, claim, proved);
+}
+
+std::pair<Quotient, double> ProofReplay::read_quotient() {
+  reader_->expect("q");
+  const std::size_t equation = reader_->index(system_->equations().size(), "equation");
+  const Quotient quotient{equation, reader_->index(system_->variables(), "variable")};
+  if (!judge_.has_quotient(quotient))
+    reader_->refuse("the terms of that equation, but for a constant, do not all contain that variable");
+  reader_->expect(":");
+  return {quotient, read_multiplier()};
 }
 
 void ProofReplay::read_polytope() {

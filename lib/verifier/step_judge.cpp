@@ -68,16 +68,16 @@ void StepJudge::scale(std::uint64_t expansion, const Box& box) {
 }
 
 /// The combination of the rows about that box, kept for the next step that asks for it.
-CombinedRow& StepJudge::combined(const ExpansionBox& expansion, std::size_t variable,
-                                 const std::vector<double>& multipliers, const Box& box) {
+CombinedRow& StepJudge::combined(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                                 const Box& box) {
   expand(expansion);
   scale(expansion.number, box);
   KeptRow& kept = rows_[variable];
-  if (kept.expansion != expansion.number || kept.multipliers != multipliers) {
+  if (kept.expansion != expansion.number || kept.sum != sum) {
     forget_propagation();
     kept.expansion = expansion.number;
-    kept.multipliers = multipliers;
-    kept.row.combine(expansion_, multipliers);
+    kept.sum = sum;
+    kept.row.combine(expansion_, sum);
   }
   return kept.row;
 }
@@ -87,15 +87,15 @@ Range StepJudge::unscaled(const Expansion& about, std::size_t variable, const Ra
   return intersection(x, Range(box[variable]));
 }
 
-Range StepJudge::expansion_row(const ExpansionBox& expansion, std::size_t variable,
-                               const std::vector<double>& multipliers, const Box& box) {
-  const CombinedRow& row = combined(expansion, variable, multipliers, box);
+Range StepJudge::expansion_row(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                               const Box& box) {
+  const CombinedRow& row = combined(expansion, variable, sum, box);
   return unscaled(expansion_, variable, row.solve(expansion_, variable, z_), box);
 }
 
-Range StepJudge::square_row(const ExpansionBox& expansion, std::size_t variable,
-                            const std::vector<double>& multipliers, const Box& box) {
-  const CombinedRow& row = combined(expansion, variable, multipliers, box);
+Range StepJudge::square_row(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                            const Box& box) {
+  const CombinedRow& row = combined(expansion, variable, sum, box);
   return unscaled(expansion_, variable, row.solve_square(expansion_, variable, z_), box);
 }
 

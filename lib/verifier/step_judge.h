@@ -44,10 +44,11 @@ class StepJudge {
   /// What an expansion is of: the lifted system where sides of terms are given.
   JudgedSystem& expanded_system(const ExpansionBox& expansion);
   /// The box lies in the one of the expansion.
-  Range expansion_row(const ExpansionBox& expansion, std::size_t variable,
-                      const std::vector<double>& multipliers, const Box& box);
-  Range square_row(const ExpansionBox& expansion, std::size_t variable,
-                   const std::vector<double>& multipliers, const Box& box);
+  Range expansion_row(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                      const Box& box);
+  Range square_row(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                   const Box& box);
+  bool has_quotient(const Quotient& quotient) const { return expansion_.has_quotient(quotient); }
   /// Multipliers of the expanded system, of products that are nowhere negative and of strips bound the
   /// variable, or show that there is no root: then the range is empty.
   Range polytope(const ExpansionBox& expansion, std::size_t variable, const PolytopeSum& sum, const Box& box);
@@ -61,12 +62,12 @@ class StepJudge {
  private:
   struct KeptRow {
     std::uint64_t expansion = 0;
-    std::vector<double> multipliers;
+    EquationSum sum;
     CombinedRow row;
   };
 
-  CombinedRow& combined(const ExpansionBox& expansion, std::size_t variable,
-                        const std::vector<double>& multipliers, const Box& box);
+  CombinedRow& combined(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
+                        const Box& box);
   static Range unscaled(const Expansion& about, std::size_t variable, const Range& z, const Box& box);
   Range propagated(std::size_t variable, const Box& box) const;
   void expand(const ExpansionBox& expansion);

@@ -78,6 +78,44 @@ TYPED_TEST(ExpansionOf, EqualsItsEquationsInTheBox) {
   }
 }
 
+TYPED_TEST(ExpansionOf, QuotientsEqualTheirEquationsDividedByAVariable) {
+  const SystemFunctions functions(system_of(
+      {"x", "y", "z"}, {"x^3*y - 2*x*z^2 + 1/3", "x*y - 5/7", "x*y + y*z", "x^2 - 2", "x*y + z - 1"}));
+  const ExpansionPlan plan(functions, ExpandedFunctions::equations_and_quotients);
+  // Not the third, which has no constant, nor the fourth, which has nothing but x, nor the last.
+  ASSERT_EQ(plan.quotients().size(), 3U);
+  ASSERT_EQ(plan.rows(), 8U);
+  Expansion<TypeParam> expansion(plan);
+  Random random(fuzz_seed(), "quotients");
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < fuzz_cases(500); ++i) {
+    Box box;
+    for (int j = 0; j < 3; ++j) {
+      const double lower = random.uniform(-3, 3);
+      box.emplace_back(lower, lower + std::ldexp(random.unit(), -static_cast<int>(random.integer(0, 40))));
+    }
+    expansion.expand(box);
+    const Point z = random_scaled_point(random, 3);
+    Point x;
+    for (std::size_t j = 0; j < 3; ++j) {
+      x.push_back(rational_from_double(expansion.midpoints()[j]) +
+                  rational_from_double(expansion.radii()[j]) * z[j]);
+    }
+    if (!planted::contains(box, x)) continue;  // the radius is rounded up
+    for (std::size_t q = 0; q < plan.quotients().size(); ++q) {
+      const auto [equation, variable] = plan.quotients()[q];
+      const ExpansionRow<TypeParam>& row = expansion.row(5 + q);
+      ASSERT_EQ(contains(box[variable], 0), is_entire(NumberTraits<TypeParam>::enclosure(row.constant)));
+      if (contains(box[variable], 0)) continue;
+      const Rational exact =
+          planted::exact_value(functions.equations()[equation].expression, x) / x[variable];
+      ASSERT_TRUE(encloses(value_of(plan, row, z), exact)) << "quotient " << q;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 0U);
+}
+
 TYPED_TEST(ExpansionOf, SaysNothingWhereAnEquationMayBeUndefined) {
   const SystemFunctions functions(system_of({"x"}, {"sqrt(x) - 1/2"}));
   const ExpansionPlan plan(functions);
