@@ -64,8 +64,9 @@ class CombinedSmear final : public ScoredBisection {
       for (std::size_t c = 0; c < row.columns.size(); ++c) {
         const std::uint32_t column = row.columns[c];
         const Interval value = row.values[c].interval();
-        terms_[column] += multipliers[k] * midpoint(value);
-        if (column < widths_.size()) widths_[column] += std::fabs(multipliers[k]) * width(value);
+        terms_[column] += multipliers[k] * (0.5 * value.lower + 0.5 * value.upper);
+        if (column < widths_.size())
+          widths_[column] += std::fabs(multipliers[k]) * (value.upper - value.lower);
       }
     }
     double size = std::accumulate(widths_.begin(), widths_.end(), 0.0);

@@ -87,8 +87,11 @@ void ExpansionPlan::add_row(const SystemFunction& function) {
 void ExpansionPlan::add_quotients(std::size_t equation) {
   if (!is_expanded(equation)) return;
   const Polynomial& polynomial = *functions_->equations()[equation].polynomial;
+  const std::size_t terms = expansion_terms(polynomial);
+  std::size_t left = kMaximumTerms;
   for (const std::size_t i : functions_->equations()[equation].variables) {
-    if (!has_quotient(polynomial, i)) continue;
+    if (terms > left || !has_quotient(polynomial, i)) continue;
+    left -= terms;
     quotients_.push_back({static_cast<std::uint32_t>(equation), static_cast<std::uint32_t>(i)});
     add_quotient(polynomial, quotients_.back().variable);
   }

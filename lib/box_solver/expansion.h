@@ -3,10 +3,10 @@
 // The functions of a system expanded about the midpoint of a box, in the scaled variables z of
 // x_i = m_i + r_i z_i, z in [-1, 1]^n.
 //
-// Promise: wherever z stands for a point of the box at which all functions are defined, function k equals
-// constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within the
-// interval coefficients. Functions are the left sides of the equations, and those of the inequalities f <= 0
-// where they are wanted. Columns 0 .. n-1 are the z_i themselves. A polynomial gets the columns of all
+// Promise: wherever z stands for a point of the box at which all functions are defined, the function of row k
+// equals constant(k) + sum over the columns c of row(k)[c] * monomial_c(z) for some choice of numbers within
+// the interval coefficients. Functions are the left sides of the equations, and those of the inequalities
+// f <= 0 where they are wanted. Columns 0 .. n-1 are the z_i themselves. A polynomial gets the columns of all
 // monomials of its Taylor expansion, with coefficients as thin as rounding allows. Any other function, and a
 // polynomial with too many monomials, gets its mean value form: f(m) and its slopes over the box, in the
 // linear columns alone. A function that may be undefined in the box gets an empty row with an unbounded
@@ -14,7 +14,8 @@
 //
 // Where they are wanted, further rows are quotients: an equation x_i g + c = 0 with a constant c, divided by
 // x_i. Its polynomial g is expanded as above, c / x_i by its slope; the row is empty while 0 lies in side i.
-// So a factor x_i that is wide but far from 0 does not multiply what is known of g.
+// So a factor x_i that is wide but far from 0 does not multiply what is known of g. The quotients of an
+// equation together have at most as many terms as one polynomial may.
 
 #include <cstdint>
 #include <map>

@@ -40,7 +40,8 @@ void LeastSquaresMultipliers::scale_rows() {
   for (std::size_t k = 0; k < f_.rows(); ++k) {
     double largest = 0;
     for (const double entry : f_.row(k)) largest = std::max(largest, std::fabs(entry));
-    scales_[k] = largest > 0 && std::isfinite(largest) ? 1 / largest : 0;
+    const bool is_usable = largest > 0 && std::isfinite(largest) && std::isfinite(1 / largest);
+    scales_[k] = is_usable ? 1 / largest : 0;
     for (double& entry : f_.row(k)) entry *= scales_[k];
   }
 }
@@ -78,10 +79,12 @@ bool LeastSquaresMultipliers::orthogonalise_rows() {
   constexpr double kLeastSpread = 1e-12;  // of rows scaled as above: keeps L regular
   const std::size_t m = f_.rows();
   const std::size_t columns = f_.columns();
-  orthogonal_ = Matrix<double>(m, columns + m);
+  if (orthogonal_.rows() != m || orthogonal_.columns() != columns + m)
+    orthogonal_ = Matrix<double>(m, columns + m);
   for (std::size_t i = 0; i < m; ++i) {
     if (skip_zero_row(i)) continue;
     const std::span<double> row = orthogonal_.row(i);
+    std::ranges::fill(row, 0);
     std::ranges::copy(f_.row(i), row.begin());
     row[columns + i] = kLeastSpread + scales_[i] * spreads_[i];
     for (std::size_t j = 0; j < i; ++j) {

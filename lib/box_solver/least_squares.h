@@ -39,8 +39,8 @@ class LeastSquaresMultipliers {
   /// After `solve`: the multipliers of the combination nearest to another column alone. False as for solve.
   [[nodiscard]] bool solve_for(std::size_t column, std::span<double> multipliers) const;
 
-  /// After `solve`: those of the combination in which the constant outweighs the columns most: where it does,
-  /// there is no root. False as for solve.
+  /// After `solve`: those of the combination in which the constant outweighs the columns most. False as for
+  /// solve.
   [[nodiscard]] bool solve_for_constant(std::span<double> multipliers) const;
 
  private:

@@ -86,7 +86,8 @@ class MultiplierContractor final : public Contractor {
                      trace);
   }
 
-  /// The combination that comes nearest to a constant: false where it shows that the box is empty.
+  /// The combination that comes nearest to a constant, solved for the variable that it has most of: false
+  /// where it shows that the box is empty.
   bool exclude(Box& box, ProofTrace& trace) {
     extra_multipliers_.resize(plan_.rows());
     if (!system_.solve_for_constant(extra_multipliers_)) return true;

@@ -26,12 +26,12 @@ class NewtonIteration {
   NewtonIteration(const SystemFunctions& functions, std::vector<double> scales);
 
   /// Iterates from the midpoint of a bounded box until the steps are as small as rounding allows. Nothing
-  /// when an iterate leaves the box by more than half its width and a small part of the scales, or when the
-  /// Jacobian is singular.
+  /// when an iterate leaves the box by more than half its width, or a small part of the scales or of the
+  /// magnitudes where that is larger, or when the Jacobian is singular.
   std::optional<ApproximateRoot> run(const Box& box);
 
  private:
-  /// One step; the largest part of the box's radii that it moves, nothing when it breaks down.
+  /// One step; the largest part of a side's reach that it moves, nothing when it breaks down.
   std::optional<double> step(const Box& box, std::vector<double>& point);
   bool stays_near(const Box& box, std::span<const double> point) const;
   /// The radius of a side, or a small part of its scale or its magnitude when that is larger.

@@ -55,33 +55,32 @@ Expansion::Expansion(JudgedSystem& system)
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     entries_.emplace_back();
     const std::optional<PolynomialTerms>& polynomial = function(k).polynomial;
-    if (!polynomial || expansion_terms(*polynomial) > kMaximumTerms) continue;
-    plan(*polynomial, entries_.back());
-    if (k < system.equations().size()) plan_quotients(k);
+    if (polynomial && expansion_terms(*polynomial) <= kMaximumTerms) plan(*polynomial, entries_.back());
   }
 }
 
-void Expansion::plan_quotients(std::size_t equation) {
-  const PolynomialTerms& polynomial = *system_->equations()[equation].polynomial;
-  for (std::size_t i = 0; i < variables(); ++i) {
-    PolynomialTerms quotient;
-    Rational constant;
-    bool divides = true;
-    for (const auto& [exponents, coefficient] : polynomial) {
-      std::vector<int> divided = exponents;
-      if (std::ranges::all_of(exponents, [](int e) { return e == 0; })) {
-        constant = coefficient;
-      } else if (--divided[i] >= 0) {
-        quotient.emplace(std::move(divided), coefficient);
-      } else {
-        divides = false;
-      }
+bool Expansion::has_quotient(const Quotient& quotient) {
+  auto found = quotients_.find(quotient);
+  if (found == quotients_.end()) found = quotients_.emplace(quotient, planned(quotient)).first;
+  return found->second.is_there;
+}
+
+Expansion::QuotientRow Expansion::planned(const Quotient& quotient) {
+  QuotientRow result;
+  if (entries_[quotient.equation].empty()) return result;
+  PolynomialTerms g;
+  for (const auto& [exponents, coefficient] : *system_->equations()[quotient.equation].polynomial) {
+    if (std::ranges::all_of(exponents, [](int e) { return e == 0; })) {
+      result.constant = Range(coefficient);
+      continue;
     }
-    if (!divides || quotient.empty()) continue;
-    QuotientRow& row = quotients_[{equation, i}];
-    row.constant = Range(constant);
-    plan(quotient, row.entries);
+    std::vector<int> divided = exponents;
+    if (--divided[quotient.variable] < 0) return result;
+    g.emplace(std::move(divided), coefficient);
   }
+  result.is_there = !g.empty();
+  plan(g, result.entries);
+  return result;
 }
 
 JudgedFunction& Expansion::function(std::size_t row) {
@@ -145,10 +144,14 @@ void Expansion::expand(const Box& box) {
     midpoints_[i] = midpoint(box[i]);
     radii_[i] = radius(box[i]);
   }
-  compute_products(midpoints_, midpoint_products_);
-  compute_products(radii_, radius_products_);
+  compute_products();
   has_row_.assign(rows_.size(), false);
   for (auto& [quotient, row] : quotients_) row.is_made = false;
+}
+
+void Expansion::compute_products() {
+  compute_products(midpoints_, midpoint_products_);
+  compute_products(radii_, radius_products_);
 }
 
 void Expansion::compute_products(const std::vector<double>& numbers, std::vector<Range>& products) const {
@@ -187,6 +190,7 @@ const ExpandedRow& Expansion::row(const Quotient& quotient) {
     row.constant = Range::entire();
     return row;
   }
+  if (midpoint_products_.size() < products_.size()) compute_products();  // planned after `expand`
   expand_polynomial(made.entries, row);
   const Range at_centre = made.constant / Range(midpoints_[quotient.variable]);
   const Range slope = -(at_centre / side * Range(radii_[quotient.variable]));

@@ -3,11 +3,12 @@
 // The equations, and the functions of the inequalities after them, expanded about the midpoint m of a box, in
 // z with x_i = m_i + r_i z_i, z in [-1, 1]^n.
 //
-// Promise: at every point of the box, function k equals constant + sum of values[c] * column c, for some
-// choice of numbers within the ranges. A polynomial is expanded into all monomials of its Taylor expansion at
-// m, which is exact up to rounding; any other function, and a polynomial whose expansion has more than 20,000
-// terms, gets f(m) and its slopes over the box in the linear columns. Where such a function may be undefined
-// the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as doubles.
+// Promise: at every point of the box, the function of row k equals constant + sum of values[c] * column c,
+// for some choice of numbers within the ranges. A polynomial is expanded into all monomials of its Taylor
+// expansion at m, which is exact up to rounding; any other function, and a polynomial whose expansion has
+// more than 20,000 terms, gets f(m) and its slopes over the box in the linear columns. Where such a function
+// may be undefined the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as
+// doubles.
 //
 // The quotient of an equation x_i g + c = 0, with a constant c, by x_i is g + c / x_i: g expanded as above,
 // c / x_i by its slope. Where side i contains 0 its constant is unbounded.
@@ -53,7 +54,8 @@ class Expansion {
   /// The row of a function, computed when first asked for.
   const ExpandedRow& row(std::size_t number);
   /// Whether the equation is a polynomial of that form.
-  bool has_quotient(const Quotient& quotient) const { return quotients_.contains(quotient); }
+  bool has_quotient(const Quotient& quotient);
+  /// The row of a quotient that there is.
   const ExpandedRow& row(const Quotient& quotient);
 
  private:
@@ -67,13 +69,15 @@ class Expansion {
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
   struct QuotientRow {
+    bool is_there = false;
     std::vector<Entry> entries;  ///< of g
     Range constant;              ///< c
     bool is_made = false;
     ExpandedRow row;
   };
 
-  void plan_quotients(std::size_t equation);
+  QuotientRow planned(const Quotient& quotient);
+  void compute_products();
   void plan(const PolynomialTerms& polynomial, std::vector<Entry>& entries);
   std::uint32_t column_of(const std::vector<int>& exponents);
   std::uint32_t product_of(const std::vector<int>& exponents);
@@ -95,7 +99,7 @@ class Expansion {
   std::vector<Range> midpoint_products_, radius_products_;
   std::vector<ExpandedRow> rows_;
   std::vector<bool> has_row_;
-  std::map<Quotient, QuotientRow> quotients_;
+  std::map<Quotient, QuotientRow> quotients_;  ///< those that were asked for
 };
 
 }  // namespace gcslab::verifier

@@ -111,7 +111,9 @@ std::pair<Quotient, double> ProofReplay::read_quotient() {
   const std::size_t equation = reader_->index(system_->equations().size(), "equation");
   const Quotient quotient{equation, reader_->index(system_->variables(), "variable")};
   if (!judge_.has_quotient(quotient))
-    reader_->refuse("the terms of that equation, but for a constant, do not all contain that variable");
+    reader_->refuse(
+        "that equation has no quotient by that variable: it is no polynomial whose terms all contain "
+        "the variable, but for a constant, or too large a one");
   reader_->expect(":");
   return {quotient, read_multiplier()};
 }

@@ -3,8 +3,10 @@
 #include "box_solver/bisection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <memory>
 
 #include "support/fuzz.h"
 #include "support/planted_system.h"
