@@ -34,7 +34,7 @@ struct ExpandedRow {
 struct Quotient {
   std::size_t equation;
   std::size_t variable;
-  auto operator<=>(const Quotient&) const = default;
+  auto operator<=>(const Quotient&) const = default;  // NOLINT: a false alarm about nullptr
 };
 
 class Expansion {
