@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <immintrin.h>
 #include <limits>
 
 #include "base/random.h"
@@ -15,6 +16,8 @@ constexpr double kEquationWidth = 1e-10;
 /// How far sides are moved: far above the tolerance of feasibility, far below what matters to a bound before
 /// it is computed from the true sides.
 constexpr double kShift = 1e-6;
+
+constexpr std::size_t kLanes = 16;  // four registers of sums hide the latency of an addition
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -55,26 +58,52 @@ void SimplexProgram::make_structure(const LpModel& model) {
     row_start_.push_back(row_column_.size());
   }
   row_value_.assign(row_column_.size(), 0.0);
+  choose_dense_rows();
   sort_by_columns();
   Random random(1, "simplex sides");
   shift_.resize(stride_);
   for (double& shift : shift_) shift = kShift * random.uniform(0.5, 1);
 }
 
-/// The place of every entry in the matrix by columns (counting sort).
+/// From an eighth of the entries on a product with all of a dense row costs less than one with its entries.
+void SimplexProgram::choose_dense_rows() {
+  dense_rows_.clear();
+  is_dense_.assign(rows_, 0);
+  for (std::size_t i = 0; i < rows_; ++i) {
+    if (8 * (row_start_[i + 1] - row_start_[i]) < columns_) continue;
+    is_dense_[i] = 1;
+    dense_rows_.push_back(i);
+  }
+  const std::size_t blocks = (dense_rows_.size() + kLanes - 1) / kLanes;
+  dense_value_.assign(blocks * columns_ * kLanes, 0.0);
+}
+
+/// The place of every entry in the matrix by columns (counting sort), or in the dense one.
 void SimplexProgram::sort_by_columns() {
   column_start_.assign(columns_ + 1, 0);
-  for (const int column : row_column_) ++column_start_[at(column) + 1];
+  std::size_t sparse = 0;
+  for (std::size_t i = 0; i < rows_; ++i) {
+    if (is_dense_[i] != 0) continue;
+    sparse += row_start_[i + 1] - row_start_[i];
+    for (const int column : part(row_column_, i)) ++column_start_[at(column) + 1];
+  }
   for (std::size_t j = 0; j < columns_; ++j) column_start_[j + 1] += column_start_[j];
-  column_value_.assign(row_column_.size(), 0.0);
-  column_row_.assign(row_column_.size(), 0);
+  column_value_.assign(sparse, 0.0);
+  column_row_.assign(sparse, 0);
   place_in_columns_.assign(row_column_.size(), 0);
   std::vector<std::size_t> next(column_start_.begin(), column_start_.end());
+  std::size_t dense = 0;
   for (std::size_t i = 0; i < rows_; ++i) {
     for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
-      place_in_columns_[k] = next[at(row_column_[k])]++;
-      column_row_[place_in_columns_[k]] = static_cast<int>(i);
+      const std::size_t column = at(row_column_[k]);
+      if (is_dense_[i] != 0) {
+        place_in_columns_[k] = (dense / kLanes * columns_ + column) * kLanes + dense % kLanes;
+      } else {
+        place_in_columns_[k] = next[column]++;
+        column_row_[place_in_columns_[k]] = static_cast<int>(i);
+      }
     }
+    if (is_dense_[i] != 0) ++dense;
   }
 }
 
@@ -86,9 +115,10 @@ void SimplexProgram::copy_row(const LpModel& model, std::size_t row) {
   sides_.lower[columns_ + row] = scale * sides.lower;
   sides_.upper[columns_ + row] = scale * sides.upper;
   std::size_t entry = row_start_[row];
+  double* by_columns = is_dense_[row] != 0 ? dense_value_.data() : column_value_.data();
   for (const double value : values) {
     row_value_[entry] = scale * value;
-    column_value_[place_in_columns_[entry]] = scale * value;
+    by_columns[place_in_columns_[entry]] = scale * value;
     ++entry;
   }
 }
@@ -116,12 +146,14 @@ void SimplexProgram::add_normal(std::size_t constraint, double factor, std::span
 
 void SimplexProgram::fill_rows(double* v) const {
   for (std::size_t i = 0; i < rows_; ++i) {
+    if (is_dense_[i] != 0) continue;
     double total = 0;
     for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
       total += row_value_[k] * v[row_column_[k]];
     }
     v[columns_ + i] = total;
   }
+  fill_dense_rows(v);
 }
 
 void SimplexProgram::fill_rows_of_sparse(double* v) const {
@@ -134,6 +166,25 @@ void SimplexProgram::fill_rows_of_sparse(double* v) const {
     if (value == 0) continue;
     const std::size_t end = column_start_[j + 1];
     for (std::size_t k = column_start_[j]; k < end; ++k) rows[row[k]] += coefficient[k] * value;
+  }
+  fill_dense_rows(v);
+}
+
+void SimplexProgram::fill_dense_rows(double* v) const {
+  const double* values = dense_value_.data();
+  for (std::size_t first = 0; first < dense_rows_.size(); first += kLanes) {
+    __m256d sums[kLanes / 4];
+    for (__m256d& sum : sums) sum = _mm256_setzero_pd();
+    for (std::size_t j = 0; j < columns_; ++j, values += kLanes) {
+      if (v[j] == 0) continue;
+      const __m256d factor = _mm256_set1_pd(v[j]);
+      for (std::size_t q = 0; q < kLanes / 4; ++q)
+        sums[q] = _mm256_fmadd_pd(factor, _mm256_loadu_pd(values + 4 * q), sums[q]);
+    }
+    alignas(32) double lanes[kLanes];
+    for (std::size_t q = 0; q < kLanes / 4; ++q) _mm256_store_pd(lanes + 4 * q, sums[q]);
+    const std::size_t count = std::min(kLanes, dense_rows_.size() - first);
+    for (std::size_t lane = 0; lane < count; ++lane) v[columns_ + dense_rows_[first + lane]] = lanes[lane];
   }
 }
 

@@ -2,7 +2,8 @@
 
 // The data of a linear program as our simplex method wants them: columns and rows as one list of constraints
 // lower <= v <= upper on v = (x, A x), rows scaled by powers of two to largest coefficients in [1, 2), and
-// the matrix by rows and by columns.
+// the matrix by rows and by columns. Rows with many entries, as products of many bound factors have, are kept
+// as a dense matrix in blocks of lanes beside the sparse columns of the others.
 
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +59,9 @@ class SimplexProgram {
     return {all.data() + row_start_[row], row_start_[row + 1] - row_start_[row]};
   }
   void make_structure(const LpModel& model);
+  void choose_dense_rows();
   void sort_by_columns();
+  void fill_dense_rows(double* v) const;
   void copy_row(const LpModel& model, std::size_t row);
   void move_sides();
 
@@ -74,10 +77,14 @@ class SimplexProgram {
   std::vector<std::size_t> row_start_;
   std::vector<int> row_column_;
   std::vector<double> row_value_;
-  std::vector<std::size_t> place_in_columns_;  ///< of each entry of row_value_ in column_value_
+  std::vector<char> is_dense_;  ///< one a row
+  std::vector<std::size_t>
+      place_in_columns_;  ///< of each entry of row_value_ in column_value_ or dense_value_
   std::vector<std::size_t> column_start_;
   std::vector<int> column_row_;
   std::vector<double> column_value_;
+  std::vector<std::size_t> dense_rows_;
+  std::vector<double> dense_value_;  ///< by blocks of kLanes dense rows, columns, lanes
 };
 
 }  // namespace gcslab
