@@ -2,7 +2,8 @@
 
 // Rows of today against the committed ones: counts and outcomes exactly, timings as ratios.
 //
-// A difference in a value or outcome, or a row that is gone, is a failed check. A slower machine is not.
+// A difference in a value or outcome, or a row that is gone, is a failed check. A slower machine is not: the
+// values of a row that ran out of time are not compared.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -88,10 +88,10 @@ const Registry<SolverMethod>& solver_method_registry() {
           {"bernstein_projection",
            "the preconditioned system in the Bernstein basis, projected by convex hulls (Sherbrooke, "
            "Patrikalakis 1993)",
-           1, "bernstein_projection"},
-          {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 1,
+           2, "bernstein_projection"},
+          {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 2,
            "mourrain_pavone"},
-          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 2, "lp_reduction"},
+          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 3, "lp_reduction"},
           {"multiplier_projection", "least-squares multipliers alone", 2, "multipliers"},
       });
   return registry;

@@ -46,6 +46,21 @@ TEST(Reference, OutcomesAreComparedExactly) {
             std::vector<std::string>{"p, m, depth 8, seed 1: outcome was complete, is crashed (SIGSEGV)"});
 }
 
+TEST(Reference, HowFarARowGotThatRanOutOfTimeIsNotCompared) {
+  const auto ended_by = [](const std::string& reason, int kept) {
+    Row row = sample_row("p", "m", kept, 1);
+    row.status = "budget_exhausted";
+    row.reason = reason;
+    return text_of({row});
+  };
+  EXPECT_TRUE(compare_rows(ended_by("wall limit of 30 s, stopped by force", 5),
+                           ended_by("wall limit of 30 s: boxes were left", 6))
+                  .agrees());
+  EXPECT_FALSE(compare_rows(ended_by("maximum_boxes of 10", 5), ended_by("maximum_boxes of 10", 6)).agrees());
+  EXPECT_FALSE(
+      compare_rows(ended_by("wall limit of 30 s", 5), text_of({sample_row("p", "m", 5, 1)})).agrees());
+}
+
 TEST(Reference, RowsThatAreGoneFailAndNewOnesDoNot) {
   const Row a = sample_row("a", "m", 1, 1);
   const Row b = sample_row("b", "m", 1, 1);
