@@ -41,7 +41,7 @@ set label 'hull+newton, longest side' at screen 0.73773,0.02344 left font ',7' t
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:42.32373168]
+set xrange [1:37.69968168]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]
@@ -69,8 +69,8 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.13545 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:137.644019138756]
-set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
+set xrange [1:346.5975903614457]
+set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('' 0, '' 20, '' 40, '' 60, '' 80, '' 100)

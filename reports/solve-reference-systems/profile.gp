@@ -29,8 +29,8 @@ set label 'IBEX 2.9 (not the same run)' at screen 0.40520,0.02460 left font ',7'
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:32.17508990890284]
-set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
+set xrange [1:91.94483629250477]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)
@@ -49,7 +49,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.09292 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:11.142857142857144]
+set xrange [1:10.342857142857142]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10)
 unset logscale y
 set yrange [0:102]

@@ -74,17 +74,13 @@ plot \
   data index 23 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
   data index 24 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
   data index 25 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
-  data index 26 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
-  data index 27 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
-  data index 28 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
-  data index 29 using 1:2 with lines lw 0.9 dt 1 lc rgb '#0072B2', \
+  data index 26 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
+  data index 27 using 1:2:3 with labels center boxed noenhanced tc rgb '#505050', \
+  data index 28 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
+  data index 29 using 1:2:3 with labels center boxed noenhanced tc rgb '#505050', \
   data index 30 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
   data index 31 using 1:2:3 with labels center boxed noenhanced tc rgb '#505050', \
-  data index 32 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
-  data index 33 using 1:2:3 with labels center boxed noenhanced tc rgb '#505050', \
-  data index 34 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
-  data index 35 using 1:2:3 with labels center boxed noenhanced tc rgb '#505050', \
-  data index 36 using 1:2 with points pt 7 ps 0.4 lc rgb '#D55E00'
+  data index 32 using 1:2 with points pt 7 ps 0.4 lc rgb '#D55E00'
 unset label; unset arrow
 unset multiplot
 unset output
