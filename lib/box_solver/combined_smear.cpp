@@ -26,16 +26,15 @@ class CombinedSmear final : public ScoredBisection {
         multipliers_(plan_.rows()) {}
 
   const std::vector<double>& scores(const Box& box) override {
-    constexpr double kEquations = 0.5, kExclusion = 0.25, kSolved = 0.25;
     scores_.assign(box.size(), 0);
-    add_share(scores_, equations_->scores(box), kEquations);
+    add_share(scores_, equations_->scores(box), 1);
     if (!combine(box)) return scores_;
     losses_.assign(box.size(), 0);
-    if (system_.solve_for_constant(multipliers_)) add_losses(multipliers_);
-    add_share(scores_, losses_, kExclusion);
+    const double nearness = add_exclusion();
+    add_share(scores_, losses_, nearness);
     losses_.assign(box.size(), 0);
     for (std::size_t i = 0; i < box.size(); ++i) add_losses(system_.multipliers(i));
-    add_share(scores_, losses_, kSolved);
+    add_share(scores_, losses_, 1 - nearness);
     return scores_;
   }
 
@@ -53,9 +52,24 @@ class CombinedSmear final : public ScoredBisection {
     return compute_multipliers(expansion_, system_);
   }
 
+  /// The combination that comes nearest to a constant, and how near: the root of what the constant is of its
+  /// other terms, at most 1.
+  double add_exclusion() {
+    if (!system_.solve_for_constant(multipliers_)) return 0;
+    double constant = 0;
+    for (std::size_t k = 0; k < multipliers_.size(); ++k) {
+      if (multipliers_[k] == 0) continue;
+      const Interval value = expansion_.row(k).constant.interval();
+      constant += multipliers_[k] * (0.5 * value.lower + 0.5 * value.upper);
+    }
+    const double part = std::fabs(constant) / add_losses(multipliers_);
+    return part >= 0 ? std::sqrt(std::min(part, 1.0)) : 0;
+  }
+
   /// What a combination loses when a side is halved, as parts of its size. Coefficients count with their
   /// middle for the monomial, and with their width for a linear column, which is that of a slope.
-  void add_losses(std::span<const double> multipliers) {
+  /// Returns the size.
+  double add_losses(std::span<const double> multipliers) {
     terms_.assign(plan_.columns().size(), 0);
     widths_.assign(losses_.size(), 0);
     for (std::size_t k = 0; k < multipliers.size(); ++k) {
@@ -71,13 +85,14 @@ class CombinedSmear final : public ScoredBisection {
     }
     double size = std::accumulate(widths_.begin(), widths_.end(), 0.0);
     for (const double term : terms_) size += std::fabs(term);
-    if (!(size > 0) || !std::isfinite(size)) return;
+    if (!(size > 0) || !std::isfinite(size)) return size;
     for (std::size_t c = 0; c < terms_.size(); ++c) {
       if (terms_[c] == 0) continue;
       for (const auto& [variable, power] : plan_.columns()[c].factors)
         losses_[variable] += std::fabs(terms_[c]) * (1 - std::ldexp(1.0, -power)) / size;
     }
     for (std::size_t j = 0; j < widths_.size(); ++j) losses_[j] += widths_[j] / (2 * size);
+    return size;
   }
 
   ExpansionPlan plan_;
