@@ -35,7 +35,7 @@ set label 'default' at screen 0.70726,0.02460 left font ',7' tc rgb '#202020' no
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:40.06980178344468]
+set xrange [1:35.5718477213661]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]
@@ -59,8 +59,8 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.09292 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:253.6039603960396]
-set xtics ('1' 1, '10' 10, '100' 100)
+set xrange [1:39.06046511627907]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]
 set ytics ('' 0, '' 20, '' 40, '' 60, '' 80, '' 100)
