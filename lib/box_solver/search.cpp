@@ -83,6 +83,7 @@ class Search {
       if (observer != nullptr)
         observer->batch_done(result_.statistics, open_.size(), result_.solutions.size());
     }
+    settle_given_up();
     for (SearchNode& node : open_) keep_pending(node);
     if (options_.proof != nullptr) options_.proof->finish();
     result_.roots = std::move(roots_);
@@ -114,7 +115,7 @@ class Search {
       SearchNode node = std::move(open_.back());
       open_.pop_back();
       if (is_given_up(node)) {
-        give_up(node);
+        given_up_.push_back(std::move(node));
       } else {
         batch_.push_back(std::move(node));
       }
@@ -133,8 +134,30 @@ class Search {
     return found != boxes_of_cluster_.end() && found->second >= options_.cluster_boxes;
   }
 
-  void give_up(SearchNode& node) {
-    result_.statistics.explored += node.share;
+  /// A root that was found since may cover what was given up; the rest stays undecided.
+  void settle_given_up() {
+    for (SearchNode& node : given_up_) {
+      result_.statistics.explored += node.share;
+      const auto covers = [&](const ExclusionBox& exclusion) { return is_subset(node.box, exclusion.box); };
+      const auto found = std::ranges::find_if(exclusions_, covers);
+      if (found == exclusions_.end()) {
+        leave_undecided(node);
+      } else {
+        leave_covered(node, found->root);
+      }
+    }
+    given_up_.clear();
+  }
+
+  void leave_covered(const SearchNode& node, std::size_t root) {
+    if (options_.proof != nullptr) {
+      options_.proof->node(node.id, ProofTrace());
+      options_.proof->end_covered(root);
+    }
+    if (options_.record != nullptr) options_.record->add(node.box, ProofTrace(), node.box, BoxFate::covered);
+  }
+
+  void leave_undecided(SearchNode& node) {
     if (options_.proof != nullptr) options_.proof->node(node.id, ProofTrace());
     if (options_.record != nullptr)
       options_.record->add(node.box, ProofTrace(), node.box, BoxFate::undecided);
@@ -300,6 +323,7 @@ class Search {
   WorkerPool<NodeProcessor> pool_;
   std::vector<SearchNode> open_;  ///< a stack, or a heap by measure
   std::vector<SearchNode> batch_;
+  std::vector<SearchNode> given_up_;  ///< parts of small boxes on which too many were spent
   std::vector<NodeOutcome> outcomes_;
   std::vector<CertifiedRoot> roots_;  ///< in the search box or near it
   std::vector<ExclusionBox> exclusions_;

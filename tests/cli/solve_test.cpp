@@ -235,6 +235,14 @@ TEST_F(Solve, WritesResultsAndProofsThatVerifyAcceptsUntilTheyAreEdited) {
   EXPECT_EQ(shell("$gcslab verify p.yaml").exit_code, 2);
 }
 
+/// Around one of its roots, which the Jacobian hardly determines, boxes multiply before the root is found.
+TEST_F(Solve, FindsEveryRootOfAnIllConditionedSystem) {
+  const Answer found =
+      shell("$gcslab solve polynomial_systems/chandra-6 --set cluster_boxes=1000 --json r.json");
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_TRUE(has(found.out, "32 solutions, 0 undecided boxes, complete, completeness proved")) << found.out;
+}
+
 TEST_F(Solve, ReadsWhatExportWrites) {
   problem("p.yaml", "x, y", "\"x^2 + y^2 = 1\", \"y - x^2\"", "x: [-2, 2], y: [-2, 2]");
   ASSERT_EQ(shell("$gcslab export p.yaml --to minibex --out p.mbx").exit_code, 0);
