@@ -47,6 +47,27 @@ Point random_scaled_point(Random& random, std::size_t size) {
   return z;
 }
 
+/// Of three sides within [-3, 4], some of them narrow.
+Box random_box(Random& random) {
+  Box box;
+  for (int j = 0; j < 3; ++j) {
+    const double lower = random.uniform(-3, 3);
+    box.emplace_back(lower, lower + std::ldexp(random.unit(), -static_cast<int>(random.integer(0, 40))));
+  }
+  return box;
+}
+
+/// The point that z stands for.
+template <class T>
+Point unscaled(const Expansion<T>& expansion, const Point& z) {
+  Point x;
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    x.push_back(rational_from_double(expansion.midpoints()[j]) +
+                rational_from_double(expansion.radii()[j]) * z[j]);
+  }
+  return x;
+}
+
 TYPED_TEST(ExpansionOf, EqualsItsEquationsInTheBox) {
   // The last two are no polynomials but have exact values.
   const SystemFunctions functions(
@@ -58,18 +79,10 @@ TYPED_TEST(ExpansionOf, EqualsItsEquationsInTheBox) {
   Expansion<TypeParam> expansion(plan);
   Random random(fuzz_seed(), "expansion");
   for (std::size_t i = 0; i < fuzz_cases(500); ++i) {
-    Box box;
-    for (int j = 0; j < 3; ++j) {
-      const double lower = random.uniform(-3, 3);
-      box.emplace_back(lower, lower + std::ldexp(random.unit(), -static_cast<int>(random.integer(0, 40))));
-    }
+    const Box box = random_box(random);
     expansion.expand(box);
     const Point z = random_scaled_point(random, 3);
-    Point x;
-    for (std::size_t j = 0; j < 3; ++j) {
-      x.push_back(rational_from_double(expansion.midpoints()[j]) +
-                  rational_from_double(expansion.radii()[j]) * z[j]);
-    }
+    const Point x = unscaled(expansion, z);
     if (!planted::contains(box, x)) continue;  // the radius is rounded up
     for (std::size_t k = 0; k < functions.equations().size(); ++k) {
       const Rational exact = planted::exact_value(functions.equations()[k].expression, x);
@@ -89,18 +102,10 @@ TYPED_TEST(ExpansionOf, QuotientsEqualTheirEquationsDividedByAVariable) {
   Random random(fuzz_seed(), "quotients");
   std::size_t checked = 0;
   for (std::size_t i = 0; i < fuzz_cases(500); ++i) {
-    Box box;
-    for (int j = 0; j < 3; ++j) {
-      const double lower = random.uniform(-3, 3);
-      box.emplace_back(lower, lower + std::ldexp(random.unit(), -static_cast<int>(random.integer(0, 40))));
-    }
+    const Box box = random_box(random);
     expansion.expand(box);
     const Point z = random_scaled_point(random, 3);
-    Point x;
-    for (std::size_t j = 0; j < 3; ++j) {
-      x.push_back(rational_from_double(expansion.midpoints()[j]) +
-                  rational_from_double(expansion.radii()[j]) * z[j]);
-    }
+    const Point x = unscaled(expansion, z);
     if (!planted::contains(box, x)) continue;  // the radius is rounded up
     for (std::size_t q = 0; q < plan.quotients().size(); ++q) {
       const auto [equation, variable] = plan.quotients()[q];
