@@ -20,7 +20,7 @@ void add_share(std::vector<double>& scores, const std::vector<double>& numbers, 
 class CombinedSmear final : public ScoredBisection {
  public:
   explicit CombinedSmear(const SystemFunctions& functions)
-      : plan_(functions, ExpandedFunctions::equations_and_quotients),
+      : plan_(functions, ExpandedFunctions::equations_and_multiples),
         expansion_(made(plan_)),
         equations_(make_relative_smear_sum(functions)),
         multipliers_(plan_.rows()) {}

@@ -3,45 +3,17 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "box_solver/equation_multiples.h"
 #include "interval/arithmetic.h"
 #include "polynomial/tensor.h"
 
 namespace gcslab {
 namespace {
 
-/// Polynomials whose expansion has more terms than this get their mean value form.
-constexpr std::size_t kMaximumTerms = 20'000;
-
 Rational binomial(int n, int k) {
   Rational result;
   mpz_bin_uiui(result.get_num_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(k));
   return result;
-}
-
-/// The number of (term, monomial of its expansion) pairs.
-std::size_t expansion_terms(const Polynomial& polynomial) {
-  std::size_t count = 0;
-  for (const auto& [exponents, coefficient] : polynomial.terms()) {
-    std::size_t product = 1;
-    for (const int e : exponents) {
-      product = std::min(product * static_cast<std::size_t>(e + 1), kMaximumTerms + 1);
-    }
-    count += product;
-  }
-  return count;
-}
-
-/// Whether it is x_variable g + c with a constant c other than 0 and a g of further variables.
-bool has_quotient(const Polynomial& polynomial, std::size_t variable) {
-  bool has_constant = false, has_others = false;
-  for (const auto& [exponents, coefficient] : polynomial.terms()) {
-    int degree = 0;
-    for (const int e : exponents) degree += e;
-    has_constant = has_constant || degree == 0;
-    if (degree > 0 && exponents[variable] == 0) return false;
-    has_others = has_others || degree > exponents[variable];
-  }
-  return has_constant && has_others;
 }
 
 ScaledMonomial monomial_of(const Exponents& exponents) {
@@ -62,8 +34,8 @@ ExpansionPlan::ExpansionPlan(const SystemFunctions& functions, ExpandedFunctions
     static_cast<void>(column_of(exponents));
   }
   for (const SystemFunction& equation : functions.equations()) add_row(equation);
-  if (which == ExpandedFunctions::equations_and_quotients) {
-    for (std::size_t k = 0; k < functions.equations().size(); ++k) add_quotients(k);
+  if (which == ExpandedFunctions::equations_and_multiples) {
+    for (const EquationMultiple& multiple : multiples_of(functions)) add_multiple(multiple);
   }
   equation_columns_ = columns_.size();
   if (which != ExpandedFunctions::constraints) return;
@@ -73,48 +45,33 @@ ExpansionPlan::ExpansionPlan(const SystemFunctions& functions, ExpandedFunctions
 const SystemFunction& ExpansionPlan::function(std::size_t row) const {
   const std::size_t equations = functions_->equations().size();
   if (row < equations) return functions_->equations()[row];
-  if (row < equations + quotients_.size())
-    return functions_->equations()[quotients_[row - equations].equation];
+  if (row < equations + multiples_.size())
+    return functions_->equations()[multiples_[row - equations].equation];
   return functions_->inequalities()[row - equations];
 }
 
 void ExpansionPlan::add_row(const SystemFunction& function) {
   rows_.emplace_back();
-  if (function.polynomial && expansion_terms(*function.polynomial) <= kMaximumTerms)
+  if (function.polynomial && expansion_terms(*function.polynomial) <= kMaximumExpansionTerms)
     add_entries(expanded(*function.polynomial));
 }
 
-void ExpansionPlan::add_quotients(std::size_t equation) {
-  if (!is_expanded(equation)) return;
-  const Polynomial& polynomial = *functions_->equations()[equation].polynomial;
-  const std::size_t terms = expansion_terms(polynomial);
-  std::size_t left = kMaximumTerms;
-  for (const std::size_t i : functions_->equations()[equation].variables) {
-    if (terms > left || !has_quotient(polynomial, i)) continue;
-    left -= terms;
-    quotients_.push_back({static_cast<std::uint32_t>(equation), static_cast<std::uint32_t>(i)});
-    add_quotient(polynomial, quotients_.back().variable);
+/// A quotient's constant over its variable, and the polynomial of the multiple.
+void ExpansionPlan::add_multiple(const EquationMultiple& multiple) {
+  const Polynomial& equation = *functions_->equations()[multiple.equation].polynomial;
+  multiples_.push_back(multiple);
+  rows_.emplace_back();
+  if (!multiple.is_quotient) {
+    add_entries(expanded(product_of_multiple(equation, multiple)));
+    return;
   }
-}
-
-void ExpansionPlan::add_quotient(const Polynomial& polynomial, std::uint32_t variable) {
-  Polynomial g(polynomial.variables());
-  Rational constant;
-  for (const auto& [exponents, coefficient] : polynomial.terms()) {
-    if (exponents[variable] == 0) {
-      constant = coefficient;
-      continue;
-    }
-    Exponents divided = exponents;
-    --divided[variable];
-    g.add_term(divided, coefficient);
-  }
+  const std::uint32_t variable = multiple.variables[0];
+  const auto [g, constant] = quotient_of_multiple(equation, multiple);
   Entries entries = expanded(g);
   Exponents linear(functions_->variables(), 0);
   linear[variable] = 1;
   // The column of c / x_variable, which need not occur in g.
   if (entries[linear].empty()) entries[linear].push_back({0, Exponents(functions_->variables(), 0)});
-  rows_.emplace_back();
   add_entries(entries);
   Row& row = rows_.back();
   const auto place = std::ranges::find(row.entries, variable, &Entry::column);

@@ -12,10 +12,9 @@
 // linear columns alone. A function that may be undefined in the box gets an empty row with an unbounded
 // constant.
 //
-// Where they are wanted, further rows are quotients: an equation x_i g + c = 0 with a constant c, divided by
-// x_i. Its polynomial g is expanded as above, c / x_i by its slope; the row is empty while 0 lies in side i.
-// So a factor x_i that is wide but far from 0 does not multiply what is known of g. The quotients of an
-// equation together have at most as many terms as one polynomial may.
+// Where they are wanted, further rows are multiples of equations by monomials (equation_multiples.h). Of a
+// quotient g + c / x_i, g is expanded as above, c / x_i by its slope; the row is empty while 0 lies in side
+// i.
 
 #include <cstdint>
 #include <map>
@@ -23,6 +22,7 @@
 #include <span>
 #include <vector>
 
+#include "box_solver/proof_step.h"
 #include "certification/system_functions.h"
 
 namespace gcslab {
@@ -52,14 +52,8 @@ struct ExpansionRow {
 /// Which functions of a system an expansion has rows for.
 enum class ExpandedFunctions {
   equations,
-  equations_and_quotients,  ///< equations, then all their quotients
+  equations_and_multiples,  ///< equations, then multiples of them
   constraints               ///< equations, then inequalities f <= 0
-};
-
-/// An equation x_variable g + c = 0, with a constant c, divided by the variable.
-struct Quotient {
-  std::uint32_t equation;
-  std::uint32_t variable;
 };
 
 /// Which monomials and terms occur: found once for a system.
@@ -71,11 +65,11 @@ class ExpansionPlan {
   const SystemFunctions& functions() const { return *functions_; }
   std::size_t rows() const { return rows_.size(); }
   /// Those that have rows, after the equations.
-  const std::vector<Quotient>& quotients() const { return quotients_; }
+  const std::vector<EquationMultiple>& multiples() const { return multiples_; }
   bool is_inequality(std::size_t row) const {
-    return row >= functions_->equations().size() + quotients_.size();
+    return row >= functions_->equations().size() + multiples_.size();
   }
-  /// The function of a row; of a quotient: the equation.
+  /// The function of a row; of a multiple: the equation.
   const SystemFunction& function(std::size_t row) const;
   const std::vector<ScaledMonomial>& columns() const { return columns_; }
   /// How many of the columns, the first ones, are the variables or occur in equations.
@@ -125,8 +119,7 @@ class ExpansionPlan {
 
   static Entries expanded(const Polynomial& polynomial);
   void add_row(const SystemFunction& function);
-  void add_quotients(std::size_t equation);
-  void add_quotient(const Polynomial& polynomial, std::uint32_t variable);
+  void add_multiple(const EquationMultiple& multiple);
   void add_entries(const Entries& entries);
   std::uint32_t column_of(const Exponents& exponents);
   std::uint32_t product_of(const Exponents& exponents);
@@ -140,7 +133,7 @@ class ExpansionPlan {
   std::vector<Rational> coefficients_;
   std::vector<Term> terms_;
   std::vector<Row> rows_;
-  std::vector<Quotient> quotients_;
+  std::vector<EquationMultiple> multiples_;
 };
 
 template <class T>

@@ -14,7 +14,7 @@ class MultiplierContractor final : public Contractor {
  public:
   MultiplierContractor(const SystemFunctions& functions, const MultiplierOptions& options)
       : options_(options),
-        plan_(functions, ExpandedFunctions::equations_and_quotients),
+        plan_(functions, ExpandedFunctions::equations_and_multiples),
         parts_(made(plan_, options)) {}
 
   /// A combination and its solution for each variable, and the factorisation.
@@ -143,10 +143,9 @@ class MultiplierContractor final : public Contractor {
     ProofStep step{reason.argument, 0, static_cast<std::uint32_t>(i), side};
     step.multipliers.assign(reason.multipliers.begin(),
                             reason.multipliers.begin() + static_cast<std::ptrdiff_t>(equations));
-    for (std::size_t q = 0; q < plan_.quotients().size(); ++q) {
-      const double multiplier = reason.multipliers[equations + q];
-      if (multiplier != 0)
-        step.quotients.push_back({plan_.quotients()[q].equation, plan_.quotients()[q].variable, multiplier});
+    for (std::size_t m = 0; m < plan_.multiples().size(); ++m) {
+      const double multiplier = reason.multipliers[equations + m];
+      if (multiplier != 0) step.multiples.push_back({plan_.multiples()[m], multiplier});
     }
     trace.add(std::move(step));
   }

@@ -87,13 +87,13 @@ NodeOutcome NodeProcessor::process(const SearchNode& node, const std::vector<Exc
   return outcome;
 }
 
-/// True when the error of each equation's value at the midpoint is comparable to what the equation varies by
-/// over the box, so that no contraction in double precision can succeed.
-bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
+/// Compares the error of each equation's value at the midpoint with what the equation varies by over the box:
+/// `partly` by its gradient there, `wholly` by the bounds of its gradient on the box.
+NodeProcessor::Hidden NodeProcessor::hidden_by_rounding(const Box& box) {
   constexpr double kSmall = 1e-3;
   constexpr double kPart = 0.1;
   for (std::size_t i = 0; i < box.size(); ++i) {
-    if (!(width(box[i]) <= kSmall * scales_[i])) return false;
+    if (!(width(box[i]) <= kSmall * scales_[i])) return Hidden::no;
   }
   const NumberTraits<FastInterval>::Scope scope;
   std::vector<FastInterval> whole, middle;
@@ -101,25 +101,30 @@ bool NodeProcessor::is_hidden_by_rounding(const Box& box) {
     whole.emplace_back(side);
     middle.emplace_back(midpoint(side));
   }
-  const std::size_t equations = functions_->equations().size();
-  std::vector<FastInterval> values(equations);
+  std::vector<FastInterval> values(functions_->equations().size());
   evaluator_.values(middle, values);
-  if (!evaluator_.jacobian(whole, jacobian_)) return false;
-  for (std::size_t k = 0; k < equations; ++k) {
-    double variation = 0;
-    for (std::size_t i = 0; i < box.size(); ++i)
-      variation += magnitude(jacobian_(k, i).interval()) * radius(box[i]);
-    if (!(width(values[k].interval()) > kPart * variation)) return false;
-  }
-  return true;
+  const auto error_dominates = [&](const std::vector<FastInterval>& where) {
+    if (!evaluator_.jacobian(where, jacobian_)) return false;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      double variation = 0;
+      for (std::size_t i = 0; i < box.size(); ++i)
+        variation += magnitude(jacobian_(k, i).interval()) * radius(box[i]);
+      if (!(width(values[k].interval()) > kPart * variation)) return false;
+    }
+    return true;
+  };
+  if (!error_dominates(middle)) return Hidden::no;
+  return error_dominates(whole) ? Hidden::wholly : Hidden::partly;
 }
 
 bool NodeProcessor::escalate(NodeOutcome& outcome) {
   constexpr int kFirstLevel = 128;
   if (options_->maximum_bits < kFirstLevel) return true;
-  const bool is_hidden = is_hidden_by_rounding(outcome.box);
+  const Hidden hidden = hidden_by_rounding(outcome.box);
   const bool is_last_chance = certifier_ != nullptr && open_sides(outcome.box).empty();
-  const int maximum_bits = is_hidden ? options_->maximum_bits : is_last_chance ? kFirstLevel : 0;
+  const int maximum_bits = hidden == Hidden::wholly                     ? options_->maximum_bits
+                           : hidden == Hidden::partly || is_last_chance ? kFirstLevel
+                                                                        : 0;
   int bits = kFirstLevel;
   for (std::size_t level = 0; bits <= maximum_bits; ++level, bits *= 2) {
     if (levels_.size() <= level)
@@ -130,7 +135,7 @@ bool NodeProcessor::escalate(NodeOutcome& outcome) {
     outcome.found = levels_[level]->certify(outcome.box);
     if (outcome.found || largest_gain(before, outcome.box) > 0.1) return true;
   }
-  if (is_hidden) ++outcome.stuck;
+  if (hidden == Hidden::wholly) ++outcome.stuck;
   return true;
 }
 

@@ -83,7 +83,11 @@ class NodeProcessor {
   /// Works on a box at higher precisions while rounding errors hide what is in it, and once before one that
   /// is too small to cut is given up. False: it has no solution.
   bool escalate(NodeOutcome& outcome);
-  bool is_hidden_by_rounding(const Box& box);
+  /// Whether rounding errors of double precision hide what an equation does in the box: `partly` when they
+  /// could be told from its values by sharper bounds only, `wholly` when no contraction in double precision
+  /// succeeds.
+  enum class Hidden { no, partly, wholly };
+  Hidden hidden_by_rounding(const Box& box);
   void cut_or_keep(const SearchNode& node, NodeOutcome& outcome);
   std::optional<Cut> cut_at_uniqueness_box(const Box& box, const Box& uniqueness) const;
   bool is_open(std::size_t variable, const Interval& side) const;

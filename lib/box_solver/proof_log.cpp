@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,13 +31,18 @@ void append_integer(std::string& line, Integer value, char separator = ' ') {
   line += std::to_string(value);
 }
 
-void append_signed(std::string& line, const SignedMonomial& monomial) {
-  line += ' ';
-  char separator = monomial.sign > 0 ? '+' : '-';
-  for (const std::uint32_t variable : monomial.variables) {
+/// The variables joined by '*', after `first`.
+void append_monomial(std::string& line, std::span<const std::uint32_t> variables, char first = ' ') {
+  char separator = first;
+  for (const std::uint32_t variable : variables) {
     append_integer(line, variable, separator);
     separator = '*';
   }
+}
+
+void append_signed(std::string& line, const SignedMonomial& monomial) {
+  line += ' ';
+  append_monomial(line, monomial.variables, monomial.sign > 0 ? '+' : '-');
 }
 
 void append_interval(std::string& line, const Interval& x) {
@@ -140,12 +146,12 @@ void ProofLog::step(const ProofStep& step) {
       append_interval(line_, step.result);
   }
   for (const double multiplier : step.multipliers) append_number(line_, multiplier);
-  for (const QuotientMultiplier& quotient : step.quotients) {
-    line_ += " q";
-    append_integer(line_, quotient.equation);
-    append_integer(line_, quotient.variable);
+  for (const auto& [multiple, multiplier] : step.multiples) {
+    line_ += multiple.is_quotient ? " q" : " m";
+    append_integer(line_, multiple.equation);
+    append_monomial(line_, multiple.variables);
     line_ += " :";
-    append_number(line_, quotient.multiplier);
+    append_number(line_, multiplier);
   }
   if (step.argument == Argument::polytope) line_ += " ;";
   for (const ProductMultiplier& product : step.products) {

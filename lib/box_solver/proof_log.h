@@ -18,7 +18,8 @@
 //                                    for each term or none
 //     expansion_row V LO HI C ...    the combination with multipliers C, one an equation, solved for V; more
 //                                    summands may follow: "q K I : M", M times equation K divided by
-//                                    variable I, which all its terms contain but for a constant
+//                                    variable I, which all its terms contain but for a constant, and "m K A
+//                                    : M", M times equation K times at most 16 variables A, joined by *
 //     square_row V LO HI C ...       the same, solved for the square of z_V
 //     polytope V LO HI C ... ; P ... with f_k about the midpoint at `expansion`, in z of [-1, 1]^n, first of
 //                                    equations, then of inequalities, whose C are <= 0: +-z_V - sum C_k f_k

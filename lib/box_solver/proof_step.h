@@ -35,11 +35,16 @@ enum class Argument : std::uint8_t {
 /// The word that proof logs use.
 std::string_view name_of(Argument argument);
 
-/// An equation x_variable g + c = 0 with a constant c, divided by the variable, with its multiplier. Side
-/// `variable` of the box of the last `expansion` has no 0 in it.
-struct QuotientMultiplier {
+/// An equation times variables, with repetition; or, with is_quotient, an equation x_i g + c = 0 with a
+/// constant c divided by its only variable x_i, for boxes whose side i has no 0 in it.
+struct EquationMultiple {
   std::uint32_t equation;
-  std::uint32_t variable;
+  std::vector<std::uint32_t> variables;
+  bool is_quotient;
+};
+
+struct MultipleMultiplier {
+  EquationMultiple multiple;
   double multiplier;
 };
 
@@ -72,7 +77,7 @@ struct ProofStep {
   std::uint32_t variable = 0;
   Interval result{};  ///< of the variable; empty: the box has no root; `cases`: the border
   std::vector<double> multipliers{};
-  std::vector<QuotientMultiplier> quotients{};  ///< of `expansion_row` and `square_row`: more of the sum
+  std::vector<MultipleMultiplier> multiples{};  ///< of `expansion_row` and `square_row`: more of the sum
   std::vector<ProductMultiplier> products{};    ///< of `polytope`
   std::vector<StripMultiplier> strips{};        ///< of `polytope`
   Box terms{};  ///< of `expansion`: sides that contain the terms of the system

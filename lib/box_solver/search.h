@@ -28,7 +28,7 @@ enum class Order { depth_first, best_first };
 
 struct SearchOptions {
   std::string bisection = "relative_smear_sum";
-  std::string certifier = "krawczyk_slopes";  ///< composition of root_certifier.h
+  std::string certifier = "krawczyk_slopes+kantorovich";  ///< composition of root_certifier.h
   Order order = Order::depth_first;
   double resolution = 1e-13;           ///< sides narrower than this part of their magnitude are not cut
   double cover_resolution = 1.0 / 64;  ///< the same for systems with fewer equations than variables, as part

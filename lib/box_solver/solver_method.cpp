@@ -80,19 +80,19 @@ const Registry<SolverMethod>& solver_method_registry() {
           {"adaptive",
            "hull consistency and least-squares multipliers while they gain; constructive disjunction and "
            "linear programs where they have paid",
-           3, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?", "combined_smear"},
+           4, "hull+multipliers+adaptive_constructive_disjunction?+lp_reduction?", "combined_smear"},
           {"interval_newton",
-           "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 1, "newton"},
-          {"krawczyk", "Krawczyk's operator", 1, "krawczyk"},
-          {"hull_newton", "hull consistency, then interval Newton", 1, "hull+newton"},
+           "interval Newton with Gauss-Seidel steps, preconditioned by the midpoint inverse", 2, "newton"},
+          {"krawczyk", "Krawczyk's operator", 2, "krawczyk"},
+          {"hull_newton", "hull consistency, then interval Newton", 2, "hull+newton"},
           {"bernstein_projection",
            "the preconditioned system in the Bernstein basis, projected by convex hulls (Sherbrooke, "
            "Patrikalakis 1993)",
-           2, "bernstein_projection"},
-          {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 2,
+           3, "bernstein_projection"},
+          {"mourrain_pavone", "the same, with the roots of control polynomials (Mourrain, Pavone 2009)", 3,
            "mourrain_pavone"},
-          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 3, "lp_reduction"},
-          {"multiplier_projection", "least-squares multipliers alone", 2, "multipliers"},
+          {"lp_reduction", "linear programs over the Bernstein polytope of the box", 4, "lp_reduction"},
+          {"multiplier_projection", "least-squares multipliers alone", 3, "multipliers"},
       });
   return registry;
 }

@@ -57,13 +57,18 @@ class SlopeCertifier final : public RootCertifier {
 template <class T>
 class TestCertifier final : public RootCertifier {
  public:
-  TestCertifier(const SystemFunctions& functions, const std::vector<std::string>& names,
+  /// `is_alone`: no other test is asked.
+  TestCertifier(const SystemFunctions& functions, const std::vector<std::string>& names, bool is_alone,
                 std::vector<double> scales, int bits)
       : scales_(std::move(scales)), bits_(bits), evaluator_(made(functions, bits)) {
     const InclusionTestSettings settings{bits > kDoubleBits ? Arithmetic::mpfr : Arithmetic::fast, bits};
     for (const std::string& name : names) {
       const InclusionTestVariant& variant = inclusion_test_registry().at(name);
-      tests_.push_back({variant.claim, variant.make(functions, settings)});
+      try {
+        tests_.push_back({variant.claim, variant.make(functions, settings)});
+      } catch (const NotApplicable&) {
+        if (is_alone) throw;  // in a composition, the others do what they can
+      }
     }
   }
 
@@ -262,9 +267,10 @@ template <class T>
 std::unique_ptr<RootCertifier> made(std::vector<std::string> names, const SystemFunctions& functions,
                                     const std::vector<double>& scales, int bits) {
   std::vector<std::unique_ptr<RootCertifier>> parts;
+  const bool is_alone = names.size() == 1;
   if (std::erase(names, kSlopes) > 0)
     parts.push_back(std::make_unique<SlopeCertifier<T>>(functions, scales, bits));
-  if (!names.empty()) parts.push_back(std::make_unique<TestCertifier<T>>(functions, names, scales, bits));
+  if (!names.empty()) parts.push_back(std::make_unique<TestCertifier<T>>(functions, names, is_alone, scales, bits));
   return std::make_unique<CertifierChain>(std::move(parts));
 }
 

@@ -45,8 +45,8 @@ std::vector<CertifierName> certifier_names();
 void check_certifier(const std::string& composition);
 
 /// `functions` must outlive it; `scales` are the sizes of the variables. The arithmetic is that of doubles
-/// for 53 bits, else MPFR intervals. Throws InputError as above, NotApplicable where a test does not take the
-/// system.
+/// for 53 bits, else MPFR intervals. Throws InputError as above, NotApplicable where a test named alone does
+/// not take the system; in a composition such a test is left out.
 std::unique_ptr<RootCertifier> make_root_certifier(const std::string& composition,
                                                    const SystemFunctions& functions,
                                                    const std::vector<double>& scales, int bits);

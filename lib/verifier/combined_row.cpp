@@ -40,8 +40,8 @@ void CombinedRow::combine(Expansion& expansion, const EquationSum& sum) {
   for (std::size_t k = 0; k < sum.multipliers.size(); ++k) {
     if (sum.multipliers[k] != 0) add_row(expansion.row(k), sum.multipliers[k]);
   }
-  for (const auto& [quotient, multiplier] : sum.quotients) {
-    if (multiplier != 0) add_row(expansion.row(quotient), multiplier);
+  for (const auto& [multiple, multiplier] : sum.multiples) {
+    if (multiplier != 0) add_row(expansion.row(multiple), multiplier);
   }
   squares_.assign(expansion.variables(), Range());
   mixed_.clear();

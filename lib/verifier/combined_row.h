@@ -9,16 +9,16 @@
 
 namespace gcslab::verifier {
 
-/// The sum of multipliers[k] times equation k, and of quotients times their multipliers.
+/// The sum of multipliers[k] times equation k, and of multiples of equations times their multipliers.
 struct EquationSum {
   std::vector<double> multipliers;
-  std::vector<std::pair<Quotient, double>> quotients{};
+  std::vector<std::pair<EquationMultiple, double>> multiples{};
   bool operator==(const EquationSum&) const = default;
 };
 
 class CombinedRow {
  public:
-  /// Every quotient is one that the expansion has.
+  /// Every multiple is one that the expansion has.
   void combine(Expansion& expansion, const EquationSum& sum);
 
   /// Encloses {z_i : z in the box `z`, the combination is 0 at z}.

@@ -59,27 +59,29 @@ Expansion::Expansion(JudgedSystem& system)
   }
 }
 
-bool Expansion::has_quotient(const Quotient& quotient) {
-  auto found = quotients_.find(quotient);
-  if (found == quotients_.end()) found = quotients_.emplace(quotient, planned(quotient)).first;
+bool Expansion::has_multiple(const EquationMultiple& multiple) {
+  auto found = multiples_.find(multiple);
+  if (found == multiples_.end()) found = multiples_.emplace(multiple, planned(multiple)).first;
   return found->second.is_there;
 }
 
-Expansion::QuotientRow Expansion::planned(const Quotient& quotient) {
-  QuotientRow result;
-  if (entries_[quotient.equation].empty()) return result;
-  PolynomialTerms g;
-  for (const auto& [exponents, coefficient] : *system_->equations()[quotient.equation].polynomial) {
-    if (std::ranges::all_of(exponents, [](int e) { return e == 0; })) {
+Expansion::MultipleRow Expansion::planned(const EquationMultiple& multiple) {
+  MultipleRow result;
+  if (entries_[multiple.equation].empty()) return result;
+  PolynomialTerms polynomial;
+  for (const auto& [exponents, coefficient] : *system_->equations()[multiple.equation].polynomial) {
+    if (multiple.is_quotient && std::ranges::all_of(exponents, [](int e) { return e == 0; })) {
       result.constant = Range(coefficient);
       continue;
     }
-    std::vector<int> divided = exponents;
-    if (--divided[quotient.variable] < 0) return result;
-    g.emplace(std::move(divided), coefficient);
+    std::vector<int> powers = exponents;
+    for (const auto& [variable, power] : multiple.factor)
+      powers[variable] += multiple.is_quotient ? -power : power;
+    if (std::ranges::any_of(powers, [](int e) { return e < 0; })) return result;
+    polynomial.emplace(std::move(powers), coefficient);
   }
-  result.is_there = !g.empty();
-  plan(g, result.entries);
+  result.is_there = !polynomial.empty() && expansion_terms(polynomial) <= kMaximumTerms;
+  if (result.is_there) plan(polynomial, result.entries);
   return result;
 }
 
@@ -146,7 +148,7 @@ void Expansion::expand(const Box& box) {
   }
   compute_products();
   has_row_.assign(rows_.size(), false);
-  for (auto& [quotient, row] : quotients_) row.is_made = false;
+  for (auto& [multiple, row] : multiples_) row.is_made = false;
 }
 
 void Expansion::compute_products() {
@@ -177,33 +179,36 @@ const ExpandedRow& Expansion::row(std::size_t number) {
   return row;
 }
 
-/// c / x = c / m - c / (m x) (x - m).
-const ExpandedRow& Expansion::row(const Quotient& quotient) {
-  QuotientRow& made = quotients_.at(quotient);
+const ExpandedRow& Expansion::row(const EquationMultiple& multiple) {
+  MultipleRow& made = multiples_.at(multiple);
   ExpandedRow& row = made.row;
   if (made.is_made) return row;
   made.is_made = true;
   row.columns.clear();
   row.values.clear();
-  const Range side(box_[quotient.variable]);
-  if (side.contains_zero()) {
+  if (multiple.is_quotient && Range(box_[multiple.factor[0].first]).contains_zero()) {
     row.constant = Range::entire();
     return row;
   }
   if (midpoint_products_.size() < products_.size()) compute_products();  // planned after `expand`
   expand_polynomial(made.entries, row);
-  const Range at_centre = made.constant / Range(midpoints_[quotient.variable]);
-  const Range slope = -(at_centre / side * Range(radii_[quotient.variable]));
+  if (multiple.is_quotient) add_reciprocal(made, multiple.factor[0].first, row);
+  return row;
+}
+
+/// c / x = c / m - c / (m x) (x - m).
+void Expansion::add_reciprocal(const MultipleRow& multiple, std::size_t variable, ExpandedRow& row) const {
+  const Range at_centre = multiple.constant / Range(midpoints_[variable]);
+  const Range slope = -(at_centre / Range(box_[variable]) * Range(radii_[variable]));
   row.constant = row.constant + at_centre;
-  const auto column = std::ranges::find(row.columns, quotient.variable);
+  const auto column = std::ranges::find(row.columns, variable);
   if (column != row.columns.end()) {
     Range& value = row.values[static_cast<std::size_t>(column - row.columns.begin())];
     value = value + slope;
   } else {
-    row.columns.push_back(static_cast<std::uint32_t>(quotient.variable));
+    row.columns.push_back(static_cast<std::uint32_t>(variable));
     row.values.push_back(slope);
   }
-  return row;
 }
 
 void Expansion::expand_polynomial(const std::vector<Entry>& entries, ExpandedRow& row) const {

@@ -10,8 +10,9 @@
 // may be undefined the constant is unbounded. Midpoints and radii are those of lib/interval/interval.h, as
 // doubles.
 //
-// The quotient of an equation x_i g + c = 0, with a constant c, by x_i is g + c / x_i: g expanded as above,
-// c / x_i by its slope. Where side i contains 0 its constant is unbounded.
+// Multiples of equations that are polynomials: the product by a monomial is expanded as a polynomial is. The
+// quotient of an equation x_i g + c = 0, with a constant c, by x_i is g + c / x_i: g expanded as above, c /
+// x_i by its slope. Where side i contains 0 its constant is unbounded.
 
 #include <cstdint>
 #include <map>
@@ -30,11 +31,12 @@ struct ExpandedRow {
   std::vector<Range> values;
 };
 
-/// An equation divided by a variable.
-struct Quotient {
+/// An equation times a monomial, or divided by one variable.
+struct EquationMultiple {
   std::size_t equation;
-  std::size_t variable;
-  auto operator<=>(const Quotient&) const = default;  // NOLINT: a false alarm about nullptr
+  Monomial factor;
+  bool is_quotient;
+  auto operator<=>(const EquationMultiple&) const = default;  // NOLINT: a false alarm about nullptr
 };
 
 class Expansion {
@@ -53,10 +55,10 @@ class Expansion {
   const std::vector<double>& radii() const { return radii_; }
   /// The row of a function, computed when first asked for.
   const ExpandedRow& row(std::size_t number);
-  /// Whether the equation is a polynomial of that form.
-  bool has_quotient(const Quotient& quotient);
-  /// The row of a quotient that there is.
-  const ExpandedRow& row(const Quotient& quotient);
+  /// Whether the equation is a polynomial, and one of that form for a quotient, of no more terms than may be.
+  bool has_multiple(const EquationMultiple& multiple);
+  /// The row of a multiple that there is.
+  const ExpandedRow& row(const EquationMultiple& multiple);
 
  private:
   struct Term {
@@ -68,15 +70,16 @@ class Expansion {
     std::vector<Term> terms;
   };
   static constexpr std::uint32_t kConstant = ~std::uint32_t{0};
-  struct QuotientRow {
+  struct MultipleRow {
     bool is_there = false;
-    std::vector<Entry> entries;  ///< of g
+    std::vector<Entry> entries;  ///< of the product, or of g
     Range constant;              ///< c
     bool is_made = false;
     ExpandedRow row;
   };
 
-  QuotientRow planned(const Quotient& quotient);
+  MultipleRow planned(const EquationMultiple& multiple);
+  void add_reciprocal(const MultipleRow& multiple, std::size_t variable, ExpandedRow& row) const;
   void compute_products();
   void plan(const PolynomialTerms& polynomial, std::vector<Entry>& entries);
   std::uint32_t column_of(const std::vector<int>& exponents);
@@ -99,7 +102,7 @@ class Expansion {
   std::vector<Range> midpoint_products_, radius_products_;
   std::vector<ExpandedRow> rows_;
   std::vector<bool> has_row_;
-  std::map<Quotient, QuotientRow> quotients_;  ///< those that were asked for
+  std::map<EquationMultiple, MultipleRow> multiples_;  ///< those that were asked for
 };
 
 }  // namespace gcslab::verifier

@@ -83,10 +83,11 @@ class ProofReplay {
   /// Variable, claim and, into multipliers_, one multiplier an equation.
   std::size_t read_claim(Interval& claim, std::size_t equations);
   double read_multiplier();
-  std::pair<Quotient, double> read_quotient();
+  std::pair<EquationMultiple, double> read_multiple();
   GraphStrip read_strip();
   PositiveProduct read_product(std::string_view kind, std::size_t variables);
   std::pair<int, Monomial> signed_monomial(std::string_view text, std::size_t variables);
+  Monomial monomial(std::string_view text, std::size_t variables);
   void read_row(std::string_view word);
   void read_expansion();
   void read_polytope();

@@ -92,7 +92,7 @@ void ProofReplay::read_row(std::string_view word) {
   const std::size_t variable = read_claim(claim, system_->equations().size());
   const bool is_expanded = word == "expansion_row" || word == "square_row";
   EquationSum sum{multipliers_};
-  while (is_expanded && !reader_->at_end_of_line()) sum.quotients.push_back(read_quotient());
+  while (is_expanded && !reader_->at_end_of_line()) sum.multiples.push_back(read_multiple());
   reader_->end_line();
   if (part_.expansion.number == 0) reader_->refuse("no 'expansion' came before");
   if (word == "bernstein_row" && !judge_.bernstein_refusal().empty())
@@ -106,16 +106,25 @@ void ProofReplay::read_row(std::string_view word) {
   take_claim(variable, claim, proved);
 }
 
-std::pair<Quotient, double> ProofReplay::read_quotient() {
-  reader_->expect("q");
-  const std::size_t equation = reader_->index(system_->equations().size(), "equation");
-  const Quotient quotient{equation, reader_->index(system_->variables(), "variable")};
-  if (!judge_.has_quotient(quotient))
+std::pair<EquationMultiple, double> ProofReplay::read_multiple() {
+  constexpr int kMaximumFactors = 16;
+  const std::string_view kind = reader_->word();
+  if (kind != "q" && kind != "m") reader_->refuse("'" + std::string(kind) + "' is none of q, m");
+  EquationMultiple multiple{reader_->index(system_->equations().size(), "equation"), {}, kind == "q"};
+  multiple.factor = monomial(reader_->word(), system_->variables());
+  int factors = 0;
+  for (const auto& [variable, power] : multiple.factor) factors += power;
+  if (multiple.is_quotient && factors != 1) reader_->refuse("a quotient is by one variable");
+  if (factors > kMaximumFactors) reader_->refuse("a product by too many variables");
+  if (!judge_.has_multiple(multiple)) {
     reader_->refuse(
-        "that equation has no quotient by that variable: it is no polynomial whose terms all contain "
-        "the variable, but for a constant, or too large a one");
+        multiple.is_quotient
+            ? "that equation has no quotient by that variable: it is no polynomial whose terms all "
+              "contain the variable, but for a constant, or too large a one"
+            : "that equation has no product: it is no polynomial, or too large a one");
+  }
   reader_->expect(":");
-  return {quotient, read_multiplier()};
+  return {multiple, read_multiplier()};
 }
 
 void ProofReplay::read_polytope() {
@@ -168,10 +177,15 @@ PositiveProduct ProofReplay::read_product(std::string_view kind, std::size_t var
 std::pair<int, Monomial> ProofReplay::signed_monomial(std::string_view text, std::size_t variables) {
   if (text.empty() || (text[0] != '+' && text[0] != '-'))
     reader_->refuse("'" + std::string(text) + "' has no sign");
+  return {text[0] == '+' ? 1 : -1, monomial(text.substr(1), variables)};
+}
+
+/// Variables joined by '*', with repetition.
+Monomial ProofReplay::monomial(std::string_view text, std::size_t variables) {
   std::map<std::uint32_t, int> powers;
-  for (const std::size_t variable : reader_->joined_indices(text.substr(1), variables, "variable"))
+  for (const std::size_t variable : reader_->joined_indices(text, variables, "variable"))
     ++powers[static_cast<std::uint32_t>(variable)];
-  return {text[0] == '+' ? 1 : -1, {powers.begin(), powers.end()}};
+  return {powers.begin(), powers.end()};
 }
 
 void ProofReplay::open_cases() {

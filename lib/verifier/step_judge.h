@@ -48,7 +48,7 @@ class StepJudge {
                       const Box& box);
   Range square_row(const ExpansionBox& expansion, std::size_t variable, const EquationSum& sum,
                    const Box& box);
-  bool has_quotient(const Quotient& quotient) { return expansion_.has_quotient(quotient); }
+  bool has_multiple(const EquationMultiple& multiple) { return expansion_.has_multiple(multiple); }
   /// Multipliers of the expanded system, of products that are nowhere negative and of strips bound the
   /// variable, or show that there is no root: then the range is empty.
   Range polytope(const ExpansionBox& expansion, std::size_t variable, const PolytopeSum& sum, const Box& box);

@@ -54,7 +54,8 @@ TEST(CorpusSystems, AreProvedCompleteWhenSmallAndRegular) {
   for (const char* name :
        {"molecules/cyclohexane-16-real", "kinematics/four-spheres-12-real", "polynomial_systems/brown-5",
         "polynomial_systems/caprasse", "separation/three-close-roots", "separation/steep-curves",
-        "separation/gap-1e-12-expanded", "conics/ellipses-four", "conics/circles-nearly-tangent-two"}) {
+        "separation/gap-1e-12-expanded", "separation/wilkinson-20-expanded", "conics/ellipses-four",
+        "conics/circles-nearly-tangent-two"}) {
     const Problem problem = load_system(name);
     const SolveOutcome found = solved(problem, "100000");
     EXPECT_EQ(found.status, Status::complete) << name;

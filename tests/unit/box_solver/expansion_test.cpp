@@ -94,10 +94,11 @@ TYPED_TEST(ExpansionOf, EqualsItsEquationsInTheBox) {
 TYPED_TEST(ExpansionOf, QuotientsEqualTheirEquationsDividedByAVariable) {
   const SystemFunctions functions(system_of(
       {"x", "y", "z"}, {"x^3*y - 2*x*z^2 + 1/3", "x*y - 5/7", "x*y + y*z", "x^2 - 2", "x*y + z - 1"}));
-  const ExpansionPlan plan(functions, ExpandedFunctions::equations_and_quotients);
+  const ExpansionPlan plan(functions, ExpandedFunctions::equations_and_multiples);
   // Not the third, which has no constant, nor the fourth, which has nothing but x, nor the last.
-  ASSERT_EQ(plan.quotients().size(), 3U);
-  ASSERT_EQ(plan.rows(), 8U);
+  const std::vector<EquationMultiple>& multiples = plan.multiples();
+  ASSERT_EQ(std::ranges::count_if(multiples, &EquationMultiple::is_quotient), 3);
+  ASSERT_EQ(plan.rows(), 5 + multiples.size());
   Expansion<TypeParam> expansion(plan);
   Random random(fuzz_seed(), "quotients");
   std::size_t checked = 0;
@@ -107,14 +108,48 @@ TYPED_TEST(ExpansionOf, QuotientsEqualTheirEquationsDividedByAVariable) {
     const Point z = random_scaled_point(random, 3);
     const Point x = unscaled(expansion, z);
     if (!planted::contains(box, x)) continue;  // the radius is rounded up
-    for (std::size_t q = 0; q < plan.quotients().size(); ++q) {
-      const auto [equation, variable] = plan.quotients()[q];
+    for (std::size_t q = 0; q < multiples.size(); ++q) {
+      if (!multiples[q].is_quotient) continue;
+      const std::uint32_t equation = multiples[q].equation, variable = multiples[q].variables[0];
       const ExpansionRow<TypeParam>& row = expansion.row(5 + q);
       ASSERT_EQ(contains(box[variable], 0), is_entire(NumberTraits<TypeParam>::enclosure(row.constant)));
       if (contains(box[variable], 0)) continue;
       const Rational exact =
           planted::exact_value(functions.equations()[equation].expression, x) / x[variable];
       ASSERT_TRUE(encloses(value_of(plan, row, z), exact)) << "quotient " << q;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 0U);
+}
+
+TYPED_TEST(ExpansionOf, ProductsEqualTheirEquationsTimesAMonomialThatBringsNoNewOnes) {
+  const SystemFunctions functions(
+      system_of({"x", "y"}, {"x - 2*y + 1/3", "x^2*y - 3*x*y^2 + x*y - 1", "y^2 + x*y - x^2 - y"}));
+  const ExpansionPlan plan(functions, ExpandedFunctions::equations_and_multiples);
+  std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> products;
+  for (const EquationMultiple& multiple : plan.multiples()) {
+    if (!multiple.is_quotient) products.emplace_back(multiple.equation, multiple.variables);
+  }
+  // x times the first needs x^2, x y, x; y times it x y, y^2, y; x y times it x^2 y, x y^2, x y. None of the
+  // others has a multiple: x^2 y^2 or y^3 would be needed.
+  const decltype(products) expected = {{0, {1}}, {0, {0}}, {0, {0, 1}}};
+  EXPECT_TRUE(std::ranges::is_permutation(products, expected));
+  Expansion<TypeParam> expansion(plan);
+  Random random(fuzz_seed(), "products");
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < fuzz_cases(500); ++i) {
+    Box box = random_box(random);
+    box.pop_back();
+    expansion.expand(box);
+    const Point z = random_scaled_point(random, 2);
+    const Point x = unscaled(expansion, z);
+    for (std::size_t m = 0; m < plan.multiples().size(); ++m) {
+      const auto& [equation, variables, is_quotient] = plan.multiples()[m];
+      if (is_quotient) continue;
+      Rational exact = planted::exact_value(functions.equations()[equation].expression, x);
+      for (const std::uint32_t variable : variables) exact *= x[variable];
+      ASSERT_TRUE(encloses(value_of(plan, expansion.row(3 + m), z), exact)) << "multiple " << m;
       ++checked;
     }
   }

@@ -16,7 +16,8 @@ TEST(ProofLog, WritesEveryKindOfStepAsTheHeaderSays) {
   trace.add({Argument::mean_value_row, 0, 1, {0, 1}, {1, -2}});
   trace.add({Argument::cases, 0, 3, Interval(0.25)});
   trace.add({Argument::expansion_row, 0, 0, Interval::empty(), {1, 0}});
-  trace.add({Argument::square_row, 0, 1, {0, 1}, {2, 0}, {{1, 0, 0.5}, {1, 2, -1}}});
+  trace.add(
+      {Argument::square_row, 0, 1, {0, 1}, {2, 0}, {{{1, {0}, true}, 0.5}, {{1, {0, 0, 2}, false}, -1}}});
   trace.add({Argument::otherwise});
   trace.add({Argument::bernstein_row, 0, 0, {1, 1}, {0, 3}});
   trace.add({Argument::join});
@@ -32,7 +33,7 @@ TEST(ProofLog, WritesEveryKindOfStepAsTheHeaderSays) {
             "mean_value_row 1 0x0p+0 0x1p+0 0x1p+0 -0x1p+1\n"
             "cases 3 0x1p-2\n"
             "expansion_row 0 empty 0x1p+0 0x0p+0\n"
-            "square_row 1 0x0p+0 0x1p+0 0x1p+1 0x0p+0 q 1 0 : 0x1p-1 q 1 2 : -0x1p+0\n"
+            "square_row 1 0x0p+0 0x1p+0 0x1p+1 0x0p+0 q 1 0 : 0x1p-1 m 1 0*0*2 : -0x1p+0\n"
             "otherwise\n"
             "bernstein_row 0 0x1p+0 0x1p+0 0x0p+0 0x1.8p+1\n"
             "join\n"

@@ -201,7 +201,8 @@ TEST_P(MethodProof, IsRefusedWhereARowRestsOnNothing) {
       if (narrowing.kind == "polytope") multipliers += run.system.inequalities.size();
       for (std::size_t k = 0; k < multipliers; ++k)
         words[narrowing.place + (is_empty ? 1 : 2) + k] = "0x0p+0";
-      words.erase(std::ranges::find(words, "q"), words.end());
+      const auto is_multiple = [](const std::string& text) { return text == "q" || text == "m"; };
+      words.erase(std::ranges::find_if(words, is_multiple), words.end());
       ASSERT_TRUE(is_refused_at(run, lines, narrowing.line, words)) << lines[narrowing.line];
     }
   }
@@ -217,12 +218,20 @@ TEST(MethodProofs, ContainEveryKindOfRow) {
         const std::string word = words_of(line)[0];
         if (place_of_claim(word)) kinds.insert(word);
         if (std::ranges::count(words_of(line), "q") > 0) kinds.insert(word + " with quotients");
+        if (std::ranges::count(words_of(line), "m") > 0) kinds.insert(word + " with products");
       }
     }
   }
-  const std::set<std::string> expected = {
-      "hull_equation",  "hull_inequality", "expansion_row", "square_row",
-      "mean_value_row", "bernstein_row",   "polytope",      "expansion_row with quotients"};
+  const std::set<std::string> expected = {"hull_equation",
+                                          "hull_inequality",
+                                          "expansion_row",
+                                          "square_row",
+                                          "mean_value_row",
+                                          "bernstein_row",
+                                          "polytope",
+                                          "expansion_row with quotients",
+                                          "expansion_row with products",
+                                          "square_row with products"};
   EXPECT_EQ(kinds, expected);
 }
 

@@ -1,4 +1,4 @@
-// Equations divided by a variable, as summands of a row of a proof.
+// Equations times monomials or divided by a variable, as summands of a row of a proof.
 
 #include <gtest/gtest.h>
 
@@ -57,6 +57,10 @@ const Spoiled kSpoiled[] = {
      [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 0 : inf"); }},
     {"no multiplier", 6,
      [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 0 :"); }},
+    {"a quotient by a product", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 0*0 : 0x1p+0"); }},
+    {"no variable", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 : 0x1p+0"); }},
     {"another letter", 6,
      [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 0x0p+0 p 0 0 : 0x1p+0"); }},
     {"a multiplier too small to show anything", 6,
@@ -74,6 +78,60 @@ const Spoiled kSpoiled[] = {
 TEST(QuotientProof, IsRefusedAtTheLineThatIsSpoiled) {
   for (const Spoiled& spoiled : kSpoiled) {
     HandWritten proof = product_of_sums();
+    spoiled.spoil(proof);
+    EXPECT_EQ(proof.refused_line(), spoiled.refused_line) << spoiled.what << "\n"
+                                                          << refusals_of(proof.verified());
+    EXPECT_FALSE(proof.proves_completeness()) << spoiled.what;
+  }
+}
+
+/// Whatever x is in [1/2, 2], y = x and x y = x^2 + 1 have no root: x times the first, less the second, is 1.
+HandWritten product_that_cancels() {
+  HandWritten proof;
+  proof.system = system_of({"x", "y"}, {"y - x", "x*y - x^2 - 1"}, {{0.5, 2}, {0.5, 2}});
+  proof.result = result_of(proof.system, Json::array());
+  const std::string box = " 0x1p-1 0x1p+1 0x1p-1 0x1p+1";
+  proof.lines = {
+      "gcslab-proof 1",                                       // 1
+      "box" + box,                                            // 2
+      "start 0" + box,                                        // 3
+      "node 0",                                               // 4
+      "expansion",                                            // 5
+      "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0 : 0x1p+0",  // 6
+      "end empty",                                            // 7
+      "end",                                                  // 8
+  };
+  return proof;
+}
+
+TEST(ProductProof, IsAccepted) {
+  const VerificationReport report = product_that_cancels().verified();
+  EXPECT_TRUE(report.accepted()) << refusals_of(report);
+  EXPECT_TRUE(report.completeness_proved);
+}
+
+const Spoiled kSpoiledProducts[] = {
+    {"by the other variable", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 1 : 0x1p+0"); }},
+    {"by a square", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0*0 : 0x1p+0"); }},
+    {"of the other equation", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 -0x1p+0 m 1 0 : 0x1p+0"); }},
+    {"with another multiplier", 6,
+     [](HandWritten& p) { replace(p, 6, "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0 : -0x1p+0"); }},
+    {"by too high a power", 6,
+     [](HandWritten& p) {
+       replace(p, 6, "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0*0*0*0*0*0*0*0*0*0*0*0*0*0*0*0*0 : 0x1p+0");
+     }},
+    {"of an equation that is no polynomial", 6,
+     [](HandWritten& p) {
+       p.system = system_of({"x", "y"}, {"sin(y) - x", "x*y - x^2 - 1"}, {{0.5, 2}, {0.5, 2}});
+     }},
+};
+
+TEST(ProductProof, IsRefusedAtTheLineThatIsSpoiled) {
+  for (const Spoiled& spoiled : kSpoiledProducts) {
+    HandWritten proof = product_that_cancels();
     spoiled.spoil(proof);
     EXPECT_EQ(proof.refused_line(), spoiled.refused_line) << spoiled.what << "\n"
                                                           << refusals_of(proof.verified());
