@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <immintrin.h>
 
 namespace gcslab {
@@ -32,10 +33,12 @@ void EdgeMatrix::reset(std::size_t size) {
   squared_lengths_.assign(stride_, 1.0);
   factors_.assign(stride_, 0.0);
   inner_.assign(stride_, 0.0);
+  moving_.assign(size_, 0);
 }
 
 void EdgeMatrix::copy_edge(std::size_t slot, double* edge) const {
-  for (std::size_t j = 0; j < size_; ++j) edge[j] = entries_[j * stride_ + slot];
+  const double* entry = entries_.data() + slot;
+  for (std::size_t j = 0; j < size_; ++j, entry += stride_) edge[j] = std::abs(*entry) > kNoise ? *entry : 0;
 }
 
 void EdgeMatrix::along_edges(std::span<const int> columns, std::span<const double> values,
@@ -78,7 +81,7 @@ void EdgeMatrix::update_coordinates(const std::size_t* coordinates, const double
     for (std::size_t i = 0; i < count; ++i) {
       const __m256d old = _mm256_loadu_pd(rows[i] + t);
       product = _mm256_fmadd_pd(steps[i], old, product);
-      _mm256_storeu_pd(rows[i] + t, without_noise(_mm256_fnmadd_pd(steps[i], factor, old)));
+      _mm256_storeu_pd(rows[i] + t, _mm256_fnmadd_pd(steps[i], factor, old));
     }
     _mm256_storeu_pd(inner + t, product);
   }
@@ -95,17 +98,25 @@ void EdgeMatrix::find_factors(const double* along, double inverse) {
   }
 }
 
+/// Without a branch, which could not be foretold.
+std::size_t EdgeMatrix::find_moving(const double* edge) {
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < size_; ++j) {
+    moving_[count] = j;
+    count += edge[j] != 0 ? 1U : 0U;
+  }
+  return count;
+}
+
 void EdgeMatrix::exchange(std::size_t slot, const double* along, const double* edge) {
   const double inverse = 1 / along[slot];
   find_factors(along, inverse);
-  moving_.clear();
-  for (std::size_t j = 0; j < size_; ++j) {
-    if (edge[j] != 0) moving_.push_back(j);
-  }
+  const std::size_t count = find_moving(edge);
   std::size_t k = 0;
-  for (; k + 4 <= moving_.size(); k += 4) update_coordinates<4>(moving_.data() + k, edge);
-  for (; k < moving_.size(); ++k) update_coordinates<1>(moving_.data() + k, edge);
-  for (const std::size_t j : moving_) entries_[j * stride_ + slot] = edge[j] * inverse;
+  for (; k + 8 <= count; k += 8) update_coordinates<8>(moving_.data() + k, edge);
+  for (; k + 4 <= count; k += 4) update_coordinates<4>(moving_.data() + k, edge);
+  for (; k < count; ++k) update_coordinates<1>(moving_.data() + k, edge);
+  for (k = 0; k < count; ++k) entries_[moving_[k] * stride_ + slot] = edge[moving_[k]] * inverse;
   update_squared_lengths(slot, inverse);
 }
 

@@ -10,8 +10,8 @@
 // 1992).
 //
 // Exchanging one constraint is a rank-one update, restricted to the coordinates that the edge moves and the
-// blocks of edges that the new constraint meets. Entries below 1e-13 are dropped: they are noise that would
-// make it dense.
+// blocks of edges that the new constraint meets. An edge does not move, and a constraint does not meet, by
+// less than 1e-13: that is noise, which would make the update dense.
 
 #include <cstddef>
 #include <span>
@@ -32,7 +32,7 @@ class EdgeMatrix {
   /// The number of doubles that an array over the slots needs.
   std::size_t stride() const { return stride_; }
 
-  /// edge[j] = coordinate j of one edge.
+  /// edge[j] = coordinate j of one edge, 0 for noise.
   void copy_edge(std::size_t slot, double* edge) const;
   /// result[t] = a . edge_t for the sparse normal a.
   void along_edges(std::span<const int> columns, std::span<const double> values, double* result) const;
@@ -44,6 +44,7 @@ class EdgeMatrix {
 
  private:
   void find_factors(const double* along, double inverse);
+  std::size_t find_moving(const double* edge);
   template <std::size_t count>
   void update_coordinates(const std::size_t* coordinates, const double* edge);
   void update_squared_lengths(std::size_t slot, double inverse);
@@ -55,7 +56,7 @@ class EdgeMatrix {
   std::vector<double> factors_;      ///< along / along[slot]
   std::vector<double> inner_;        ///< edge_t . edge_slot
   std::vector<std::size_t> blocks_;  ///< where factors_ has non-zeros, four edges a block
-  std::vector<std::size_t> moving_;  ///< the coordinates in which the leaving edge is not zero
+  std::vector<std::size_t> moving_;  ///< the coordinates in which the leaving edge is not zero, first
 };
 
 }  // namespace gcslab

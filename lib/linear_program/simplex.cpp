@@ -225,27 +225,10 @@ Simplex::Walk Simplex::mend(std::size_t constraint, const ConstraintSides& sides
   return Walk::done;
 }
 
-/// Of the slots whose leaving mends the violation, the one whose multiplier first reaches zero; among near
-/// ties the largest pivot (Harris 1973). slots() when nothing mends it.
+/// Of the slots whose leaving mends the violation; slots() when nothing mends it.
 std::size_t Simplex::slot_to_leave(double direction) const {
-  const double* inward = vertex_.inward();
-  double loosest = std::numeric_limits<double>::infinity();
-  for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
-    const double pivot = direction * inward[slot] * along_[slot];
-    if (pivot <= kSmallestPivot) continue;
-    const double multiplier = std::max(inward[slot] * multiplier_[slot], 0.0);
-    loosest = std::min(loosest, (multiplier + kOptimality) / pivot);
-  }
-  std::size_t best = vertex_.slots();
-  double largest = 0;
-  for (std::size_t slot = 0; slot < vertex_.slots(); ++slot) {
-    const double pivot = direction * inward[slot] * along_[slot];
-    if (pivot <= kSmallestPivot || pivot <= largest) continue;
-    if (std::max(inward[slot] * multiplier_[slot], 0.0) > loosest * pivot) continue;
-    largest = pivot;
-    best = slot;
-  }
-  return best;
+  return simplex_kernel::first_to_reach_zero(vertex_.inward(), multiplier_.data(), along_.data(), direction,
+                                             vertex_.slots(), kOptimality, kSmallestPivot);
 }
 
 /// The constraint's normal as a combination of those that hold: no point can do better than the vertex.

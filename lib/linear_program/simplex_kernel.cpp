@@ -114,6 +114,47 @@ std::size_t steepest(const double* inward, const double* multiplier, const doubl
   return best;
 }
 
+std::size_t first_to_reach_zero(const double* inward, const double* multiplier, const double* along,
+                                double direction, std::size_t count, double tolerance,
+                                double smallest_pivot) {
+  const __m256d directions = _mm256_set1_pd(direction);
+  const auto pivots_at = [&](std::size_t k) {
+    return _mm256_mul_pd(_mm256_mul_pd(directions, _mm256_loadu_pd(inward + k)), _mm256_loadu_pd(along + k));
+  };
+  const auto sizes_at = [&](std::size_t k) {
+    return _mm256_max_pd(_mm256_mul_pd(_mm256_loadu_pd(inward + k), _mm256_loadu_pd(multiplier + k)),
+                         _mm256_setzero_pd());
+  };
+  double loosest = kInfinity;
+  for (std::size_t k = 0; k < count; k += 4) {
+    const __m256d pivots = pivots_at(k);
+    const __m256d ahead = _mm256_add_pd(sizes_at(k), _mm256_set1_pd(tolerance));
+    const __m256d counts = _mm256_cmp_pd(pivots, _mm256_set1_pd(smallest_pivot), _CMP_GT_OQ);
+    const __m256d sooner = _mm256_cmp_pd(ahead, _mm256_mul_pd(_mm256_set1_pd(loosest), pivots), _CMP_LT_OQ);
+    const __m256d improves = _mm256_and_pd(counts, sooner);
+    if (_mm256_testz_pd(improves, improves)) continue;
+    loosest = smallest_of(_mm256_blendv_pd(_mm256_set1_pd(loosest), _mm256_div_pd(ahead, pivots), improves));
+  }
+  std::size_t best = count;
+  double largest = smallest_pivot;
+  for (std::size_t k = 0; k < count; k += 4) {
+    const __m256d pivots = pivots_at(k);
+    const __m256d larger = _mm256_cmp_pd(pivots, _mm256_set1_pd(largest), _CMP_GT_OQ);
+    const __m256d soon =
+        _mm256_cmp_pd(sizes_at(k), _mm256_mul_pd(_mm256_set1_pd(loosest), pivots), _CMP_LE_OQ);
+    const auto eligible = static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(larger, soon)));
+    if (eligible == 0) continue;
+    alignas(32) double lanes[4];
+    _mm256_store_pd(lanes, pivots);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((eligible >> i & 1U) == 0 || !(lanes[i] > largest)) continue;
+      largest = lanes[i];
+      best = k + i;
+    }
+  }
+  return best;
+}
+
 void advance(double* value, const double* rate, double step, std::size_t stride) {
   const __m256d steps = _mm256_set1_pd(step);
   for (std::size_t k = 0; k < stride; k += 4) {

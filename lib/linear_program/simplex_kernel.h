@@ -31,6 +31,13 @@ Violation largest_violation(const double* value, const double* lower, const doub
 std::size_t steepest(const double* inward, const double* multiplier, const double* squared_length,
                      std::size_t count, double smallest_fall);
 
+/// Of the slots whose pivot, direction * inward * along, is more than smallest_pivot, the one whose
+/// multiplier inward * multiplier first reaches zero; of those that do up to `tolerance` later the one with
+/// the largest pivot (Harris 1973). `count` when there is none. The arrays are padded with zeros to a
+/// multiple of four.
+std::size_t first_to_reach_zero(const double* inward, const double* multiplier, const double* along,
+                                double direction, std::size_t count, double tolerance, double smallest_pivot);
+
 /// value += step * rate.
 void advance(double* value, const double* rate, double step, std::size_t stride);
 

@@ -19,6 +19,18 @@ constexpr double kShift = 1e-6;
 
 constexpr std::size_t kLanes = 16;  // four registers of sums hide the latency of an addition
 
+/// Four rows of one column, which differ: all are read before the first is written.
+void add_to_four(double* rows, const int* row, const double* coefficient, double value) {
+  const double first = std::fma(coefficient[0], value, rows[row[0]]);
+  const double second = std::fma(coefficient[1], value, rows[row[1]]);
+  const double third = std::fma(coefficient[2], value, rows[row[2]]);
+  const double fourth = std::fma(coefficient[3], value, rows[row[3]]);
+  rows[row[0]] = first;
+  rows[row[1]] = second;
+  rows[row[2]] = third;
+  rows[row[3]] = fourth;
+}
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 double power_of_two_scale(std::span<const double> values) {
@@ -58,6 +70,7 @@ void SimplexProgram::make_structure(const LpModel& model) {
     row_start_.push_back(row_column_.size());
   }
   row_value_.assign(row_column_.size(), 0.0);
+  moving_.assign(columns_, 0);
   choose_dense_rows();
   sort_by_columns();
   Random random(1, "simplex sides");
@@ -153,6 +166,7 @@ void SimplexProgram::fill_rows(double* v) const {
     }
     v[columns_ + i] = total;
   }
+  find_moving(v);
   fill_dense_rows(v);
 }
 
@@ -161,23 +175,36 @@ void SimplexProgram::fill_rows_of_sparse(double* v) const {
   const int* row = column_row_.data();
   const double* coefficient = column_value_.data();
   std::fill_n(rows, rows_, 0.0);
-  for (std::size_t j = 0; j < columns_; ++j) {
+  find_moving(v);
+  for (std::size_t n = 0; n < moving_count_; ++n) {
+    const std::size_t j = moving_[n];
     const double value = v[j];
-    if (value == 0) continue;
     const std::size_t end = column_start_[j + 1];
-    for (std::size_t k = column_start_[j]; k < end; ++k) rows[row[k]] += coefficient[k] * value;
+    std::size_t k = column_start_[j];
+    for (; k + 4 <= end; k += 4) add_to_four(rows, row + k, coefficient + k, value);
+    for (; k < end; ++k) rows[row[k]] += coefficient[k] * value;
   }
   fill_dense_rows(v);
 }
 
+/// Without a branch, which could not be foretold.
+void SimplexProgram::find_moving(const double* v) const {
+  moving_count_ = 0;
+  for (std::size_t j = 0; j < columns_; ++j) {
+    moving_[moving_count_] = j;
+    moving_count_ += v[j] != 0 ? 1U : 0U;
+  }
+}
+
 void SimplexProgram::fill_dense_rows(double* v) const {
-  const double* values = dense_value_.data();
   for (std::size_t first = 0; first < dense_rows_.size(); first += kLanes) {
+    const double* block = dense_value_.data() + first * columns_;
     __m256d sums[kLanes / 4];
     for (__m256d& sum : sums) sum = _mm256_setzero_pd();
-    for (std::size_t j = 0; j < columns_; ++j, values += kLanes) {
-      if (v[j] == 0) continue;
+    for (std::size_t n = 0; n < moving_count_; ++n) {
+      const std::size_t j = moving_[n];
       const __m256d factor = _mm256_set1_pd(v[j]);
+      const double* values = block + j * kLanes;
       for (std::size_t q = 0; q < kLanes / 4; ++q)
         sums[q] = _mm256_fmadd_pd(factor, _mm256_loadu_pd(values + 4 * q), sums[q]);
     }

@@ -61,6 +61,7 @@ class SimplexProgram {
   void make_structure(const LpModel& model);
   void choose_dense_rows();
   void sort_by_columns();
+  void find_moving(const double* v) const;
   void fill_dense_rows(double* v) const;
   void copy_row(const LpModel& model, std::size_t row);
   void move_sides();
@@ -85,6 +86,9 @@ class SimplexProgram {
   std::vector<double> column_value_;
   std::vector<std::size_t> dense_rows_;
   std::vector<double> dense_value_;  ///< by blocks of kLanes dense rows, columns, lanes
+  // Of the vector worked on: the columns where it is not zero, first.
+  mutable std::vector<std::size_t> moving_;
+  mutable std::size_t moving_count_ = 0;
 };
 
 }  // namespace gcslab
