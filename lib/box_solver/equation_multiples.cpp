@@ -107,7 +107,7 @@ std::vector<EquationMultiple> multiples_of(const SystemFunctions& functions) {
 }
 
 Polynomial product_of_multiple(const Polynomial& equation, const EquationMultiple& multiple) {
-  Exponents factor(equation.variables(), 0);
+  Exponents factor(static_cast<std::size_t>(equation.variables()), 0);
   for (const std::uint32_t i : multiple.variables) ++factor[i];
   return times(equation, factor);
 }
