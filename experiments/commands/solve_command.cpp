@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <unistd.h>
 
@@ -68,12 +69,13 @@ Json result_json(const Settings& settings, const SystemFunctions& functions, con
   return result;
 }
 
-Json statistics_json(const SearchStatistics& counts, const Stopwatch& watch) {
+Json statistics_json(const SearchResult& found, const Stopwatch& watch) {
   return {{"wall_s", watch.wall_s()},
           {"cpu_s", watch.cpu_s()},
           {"peak_rss_mb", peak_rss_mb()},
-          {"boxes", counts.boxes},
-          {"bisections", counts.bisections}};
+          {"boxes", found.statistics.boxes},
+          {"bisections", found.statistics.bisections},
+          {"undecided_volume", undecided_volume(found)}};  // infinite: null
 }
 
 void print_solutions(const SystemFunctions& functions, const Json& result) {
@@ -105,8 +107,11 @@ void print_summary(const Settings& settings, const SystemFunctions& functions, c
              statistics["wall_s"].get<double>());
   if (solutions <= kListed) print_solutions(functions, result);
   if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);
-  if (undecided > 0)
-    fmt::print("  undecided, for example: {}\n", result["undecided"][0]["reason"].get<std::string>());
+  if (undecided == 0) return;
+  const Json& volume = statistics["undecided_volume"];
+  fmt::print("  undecided, at most {:.3g} in volume, for example: {}\n",
+             volume.is_null() ? std::numeric_limits<double>::infinity() : volume.get<double>(),
+             result["undecided"][0]["reason"].get<std::string>());
 }
 
 /// Where the proof goes; nowhere when nobody asked.
@@ -193,7 +198,7 @@ int run(const Settings& settings) {
   const Stopwatch watch;
   const SolveOutcome outcome = solve_system(functions, solve, start, interruption.token(), &progress);
   progress.finish();
-  const Json statistics = statistics_json(outcome.search.statistics, watch);
+  const Json statistics = statistics_json(outcome.search, watch);
   proof.close(settings.proof);
   const Json result = result_json(settings, functions, solve.options, outcome, statistics);
   if (!settings.pending.empty()) write_pending(settings.pending, hash, problem.system.box, outcome.search);

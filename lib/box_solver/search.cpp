@@ -1,6 +1,8 @@
 #include "box_solver/search.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "box_solver/box_clusters.h"
@@ -334,6 +336,22 @@ class Search {
 };
 
 }  // namespace
+
+double undecided_volume(const SearchResult& result) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double sum = 0;
+  const auto add = [&](const Box& box) {
+    double volume = 1;
+    for (const Interval& side : box) {
+      const double factor = width(side);  // rounded upward
+      volume = factor == 0 || volume == 0 ? 0 : std::nextafter(volume * factor, kInfinity);
+    }
+    if (volume > 0) sum = std::nextafter(sum + volume, kInfinity);
+  };
+  for (const UndecidedBox& entry : result.undecided) add(entry.box);
+  for (const Box& box : result.pending) add(box);
+  return sum;
+}
 
 SearchResult search(const SystemFunctions& functions, const Box& search_box, SearchStart start,
                     const ContractorMaker& make_contractor, const SearchOptions& options,

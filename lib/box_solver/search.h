@@ -72,6 +72,9 @@ struct SearchResult {
   SearchStatistics statistics;
 };
 
+/// An upper bound of the volume of all undecided boxes and all that were not searched, together.
+double undecided_volume(const SearchResult& result);
+
 /// Makes the contractor of one thread: in the arithmetic of the method for 53 bits, else in MPFR intervals of
 /// that many.
 using ContractorMaker = std::function<std::unique_ptr<Contractor>(const SystemFunctions&, int bits)>;

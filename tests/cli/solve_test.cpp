@@ -91,6 +91,11 @@ TEST_F(Solve, SaysOfSingularRootsThatTheyAreUndecided) {
   for (const Json& entry : result["undecided"])
     covered = covered || (number(entry["box"][0][0]) <= 0 && number(entry["box"][0][1]) >= 0);
   EXPECT_TRUE(covered);
+  double volume = 0;
+  for (const Json& entry : result["undecided"])
+    volume += number(entry["box"][0][1]) - number(entry["box"][0][0]);
+  EXPECT_GE(result["statistics"]["undecided_volume"].get<double>(), volume);
+  EXPECT_LE(result["statistics"]["undecided_volume"].get<double>(), 1.001 * volume);
 }
 
 TEST_F(Solve, DecidesWhatIsAlmostSingular) {
@@ -107,6 +112,7 @@ TEST_F(Solve, CoversWhatIsNoPoint) {
   EXPECT_EQ(identity["status"], "partial");
   EXPECT_EQ(identity["solutions"].size(), 0u);
   EXPECT_GE(identity["undecided"].size(), 1u);
+  EXPECT_GE(identity["statistics"]["undecided_volume"].get<double>(), 1);
   problem("circle.yaml", "x, y", "\"x^2 + y^2 = 1\"", "x: [-2, 2], y: [-2, 2]");
   const Json circle = solved("circle.yaml");
   EXPECT_EQ(circle["solutions"].size(), 0u);
