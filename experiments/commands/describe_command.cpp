@@ -89,6 +89,24 @@ Json reference_json(const CorpusEntry& entry, Json result) {
   return result;
 }
 
+/// What the equations of a constraint system came from.
+void add_geometry(Json& result, const GeometricSource& source) {
+  const auto names_of = [&](const std::vector<std::size_t>& points) {
+    Json names = Json::array();
+    for (const std::size_t point : points) names.push_back(source.system.points[point]);
+    return names;
+  };
+  result["universe"] = source.system.universe == Universe::plane ? "2d" : "3d";
+  result["constraints"] = Json::array();
+  for (const Constraint& constraint : source.system.constraints)
+    result["constraints"].push_back(source.system.describe(constraint));
+  result["parameters"] = source.system.parameters;
+  result["valuations"] = Json::array();
+  for (const Valuation& valuation : source.system.valuations) result["valuations"].push_back(valuation.name);
+  result["frame"] = names_of(source.frame);
+  result["balance"] = balance_text(source.equations);
+}
+
 Json problem_json(const CorpusEntry& entry) {
   const std::string kind = kind_of_file(entry.path);
   Json result = {{"name", entry.name}, {"what", "problem"}, {"kind", kind}, {"file", entry.path.string()}};
@@ -96,6 +114,7 @@ Json problem_json(const CorpusEntry& entry) {
   if (std::ranges::find(function_kinds(), kind) == function_kinds().end()) return result;
   const Problem problem = load_problem(entry.path);
   result["title"] = problem.title;
+  if (problem.geometry != nullptr) add_geometry(result, *problem.geometry);
   result["variables"] = problem.system.variables;
   Json equations = Json::array(), latex = Json::array(), box = Json::object();
   for (const Expression& equation : problem.system.equations) {

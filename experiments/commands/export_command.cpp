@@ -16,6 +16,7 @@ namespace {
 struct Settings {
   std::string problem;
   std::string format;
+  std::string valuation;
   std::string out;
 };
 
@@ -33,7 +34,7 @@ int run(const Settings& settings) {
     throw InputError(fmt::format("--to {}: this format is only read; expected one of {}", settings.format,
                                  fmt::join(written_formats(), ", ")));
   }
-  const Problem problem = load_system(settings.problem);
+  const Problem problem = load_system(settings.problem, settings.valuation);
   const std::string text = format.write(problem.system);
   if (settings.out.empty() || settings.out == "-") {
     fmt::print("{}", text);
@@ -55,6 +56,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--to", settings->format, fmt::format("one of {}", fmt::join(written_formats(), ", ")))
       ->required();
+  command->add_option("--valuation", settings->valuation,
+                      "of a constraint system: which values its parameters have; by default the first");
   command->add_option("--out", settings->out, "write here instead of standard output");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }

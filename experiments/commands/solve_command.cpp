@@ -17,6 +17,7 @@
 #include "experiments/provenance.h"
 #include "experiments/reporting/box_picture.h"
 #include "experiments/reporting/cover_picture.h"
+#include "experiments/solving/figures_json.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/solve_method.h"
 #include "experiments/tasks/memory_use.h"
@@ -52,8 +53,8 @@ Json method_json(const Settings& settings, const Options& options) {
 }
 
 /// The result of the contract.
-Json result_json(const Settings& settings, const SystemFunctions& functions, const Options& options,
-                 const SolveOutcome& outcome, const Json& statistics) {
+Json result_json(const Settings& settings, const Problem& problem, const SystemFunctions& functions,
+                 const Options& options, const SolveOutcome& outcome, const Json& statistics) {
   Json result = {{"problem", settings.problem},
                  {"method", method_json(settings, options)},
                  {"status", std::string(name_of(outcome.status))},
@@ -61,9 +62,10 @@ Json result_json(const Settings& settings, const SystemFunctions& functions, con
                  {"variables", functions.system().variables},
                  {"search_box", box_to_json(functions.system().box)},
                  {"solutions", solutions_json(functions, outcome.search, settings.precision)},
-                 {"undecided", undecided_json(outcome.search)},
-                 {"statistics", statistics},
-                 {"provenance", provenance(settings.seed, utc_now())}};
+                 {"undecided", undecided_json(outcome.search)}};
+  if (problem.geometry != nullptr) add_figures(result, *problem.geometry, outcome.search);
+  result["statistics"] = statistics;
+  result["provenance"] = provenance(settings.seed, utc_now());
   if (!outcome.reason.empty()) result["reason"] = outcome.reason;
   seal(result);
   return result;
@@ -105,6 +107,10 @@ void print_summary(const Settings& settings, const SystemFunctions& functions, c
              undecided == 1 ? "" : "es", result["status"].get<std::string>(),
              result["completeness"].get<std::string>(), statistics["boxes"].get<std::uint64_t>(),
              statistics["wall_s"].get<double>());
+  if (result.contains("classes")) {
+    const std::size_t classes = result["classes"].size();
+    fmt::print("  {} figure{} up to isometry\n", classes, classes == 1 ? "" : "s");
+  }
   if (solutions <= kListed) print_solutions(functions, result);
   if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);
   if (undecided == 0) return;
@@ -175,13 +181,15 @@ void check_asked(const Settings& settings, const SolveMethod& method) {
 }
 
 int run(const Settings& settings) {
-  Problem problem = load_system(settings.problem);
-  if (!settings.box.empty())
-    problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
   const SolveMethod& method = solve_method_registry().at(settings.method);
   SolveSettings solve{settings.method,
                       Options(method.options, option_texts(settings.options), settings.method)};
+  Problem problem = load_system(settings.problem, solve.options.word("valuation"));
+  if (!settings.box.empty())
+    problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
   check_asked(settings, method);
+  if (problem.geometry != nullptr && problem.system.equations.size() != problem.system.variables.size())
+    fmt::print(stderr, "gcslab: note: {}\n", balance_text(problem.geometry->equations));
   solve.threads = settings.threads;
   if (settings.memory_mb > 0) solve.memory_mb = settings.memory_mb;
   check_outputs(settings);
@@ -200,7 +208,7 @@ int run(const Settings& settings) {
   progress.finish();
   const Json statistics = statistics_json(outcome.search, watch);
   proof.close(settings.proof);
-  const Json result = result_json(settings, functions, solve.options, outcome, statistics);
+  const Json result = result_json(settings, problem, functions, solve.options, outcome, statistics);
   if (!settings.pending.empty()) write_pending(settings.pending, hash, problem.system.box, outcome.search);
   if (settings.json == "-") {
     fmt::print("{}\n", result.dump(1));

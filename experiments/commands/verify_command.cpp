@@ -36,6 +36,13 @@ std::string problem_name(const Settings& settings, const Json& result) {
   throw InputError(settings.result + ": names no problem; expected the key \"problem\", or --problem");
 }
 
+/// That of the method's options, where the result says one.
+std::string valuation_of(const Json& result) {
+  const Json::json_pointer place("/method/options/valuation");
+  const bool is_said = result.is_object() && result.contains(place) && result[place].is_string();
+  return is_said ? result[place].get<std::string>() : std::string();
+}
+
 void print(const VerificationReport& report, const std::string& name) {
   for (const auto& [claim, count] : report.checked) fmt::print("  proved again: {} ({})\n", claim, count);
   for (const std::string& claim : report.not_checked) fmt::print("  not checked: {}\n", claim);
@@ -47,7 +54,7 @@ void print(const VerificationReport& report, const std::string& name) {
 
 int run(const Settings& settings) {
   const Json result = read_result(settings.result);
-  const Problem problem = load_system(problem_name(settings, result));
+  const Problem problem = load_system(problem_name(settings, result), valuation_of(result));
   Box box = problem.system.box;
   if (result.is_object() && result.contains("search_box"))
     box = box_from_json(result["search_box"], settings.result + ": /search_box");

@@ -10,6 +10,7 @@
 #include "experiments/corpus/generated_system.h"
 #include "expression/printer.h"
 #include "expression/system_formats.h"
+#include "geometry/constraint_system_reader.h"
 
 namespace gcslab {
 namespace {
@@ -21,8 +22,8 @@ struct Shape {
 };
 
 const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all = {
-      {"curve", 2, 1}, {"surface", 3, 1}, {"space_curve", 3, 2}, {"function", 0, 1}, {"system", 0, 0}};
+  static const std::vector<Shape> all = {{"curve", 2, 1},    {"surface", 3, 1}, {"space_curve", 3, 2},
+                                         {"function", 0, 1}, {"system", 0, 0},  {"constraint_system", 0, 0}};
   return all;
 }
 
@@ -131,7 +132,8 @@ std::string kind_of_file(const std::filesystem::path& path) {
 std::string problem_content_hash(const std::filesystem::path& path) {
   const std::string kind = kind_of_file(path);
   const bool has_equations = std::ranges::find(function_kinds(), kind) != function_kinds().end();
-  if (!has_equations || kind == "polynomial_family") return content_hash(read_file(path));
+  if (!has_equations || kind == "polynomial_family" || kind == "constraint_system")
+    return content_hash(read_file(path));
   const Problem problem = load_problem(path);
   const EquationSystem& system = problem.system;
   std::string text = kind;
@@ -155,13 +157,70 @@ Problem load_foreign(const std::filesystem::path& path) {
   return problem;
 }
 
+void refuse_valuation(const std::filesystem::path& path, const std::string& valuation) {
+  if (!valuation.empty())
+    throw InputError(path.string() + ": has no valuations, and so none named '" + valuation + "'");
+}
+
+bool is_constraint_system(const YamlNode& file) {
+  const auto kind = file.find("kind");
+  return kind && kind->is_scalar() && kind->text() == "constraint_system";
+}
+
+void allow_keys(const YamlNode& file) {
+  std::vector<std::string> keys = {"kind", "name", "title", "origin", "licence", "known", "notes"};
+  const std::vector<std::string> of_systems = {"variables", "equations", "generator", "inequalities", "box"};
+  const std::vector<std::string>& others = is_constraint_system(file) ? constraint_system_keys() : of_systems;
+  keys.insert(keys.end(), others.begin(), others.end());
+  file.allow_keys(keys);
+}
+
+/// The entry of that key for the valuation, where there is one.
+std::optional<std::int64_t> count_of_valuation(const YamlNode& known, std::string_view key,
+                                               const ConstraintSystem& system, const std::string& valuation) {
+  const auto counts = known.find(key);
+  if (!counts) return std::nullopt;
+  for (const auto& [name, count] : counts->entries()) {
+    if (std::ranges::find(system.valuations, name, &Valuation::name) == system.valuations.end())
+      count.fail("is of no valuation: none is named '" + name + "'");
+  }
+  const auto count = counts->find(valuation);
+  return count ? std::optional(count->integer()) : std::nullopt;
+}
+
+/// Counts of solutions: in the frame with the signs free, and modulo all isometries.
+KnownFacts read_known_figures(const YamlNode& file, const GeometricSource& source) {
+  const auto known = file.find("known");
+  if (!known) return {};
+  known->allow_keys({"in_frame", "classes", "how"});
+  KnownFacts facts;
+  facts.how = required_text(*known, "how");
+  facts.real_solutions = count_of_valuation(*known, "in_frame", source.system, source.valuation);
+  facts.classes = count_of_valuation(*known, "classes", source.system, source.valuation);
+  return facts;
+}
+
+void read_geometry(const YamlNode& file, const std::string& valuation, Problem& problem) {
+  auto source = std::make_shared<GeometricSource>();
+  source->system = read_constraint_system(file);
+  const Valuation& chosen = source->system.valuation(valuation);
+  source->valuation = chosen.name;
+  source->frame = frame_of(source->system);
+  source->equations = geometric_equations(source->system, source->frame);
+  problem.system = equation_system(source->equations, source->system, source->frame, chosen);
+  problem.known = read_known_figures(file, *source);
+  problem.geometry = std::move(source);
+}
+
 }  // namespace
 
-Problem load_problem(const std::filesystem::path& path) {
-  if (format_of_file(path) != nullptr) return load_foreign(path);
+Problem load_problem(const std::filesystem::path& path, const std::string& valuation) {
+  if (format_of_file(path) != nullptr) {
+    refuse_valuation(path, valuation);
+    return load_foreign(path);
+  }
   const YamlNode file = YamlNode::load_file(path);
-  file.allow_keys({"kind", "name", "title", "variables", "equations", "generator", "inequalities", "box",
-                   "origin", "licence", "known", "notes"});
+  allow_keys(file);
   Problem problem;
   problem.kind = file.at("kind").text();
   if (std::ranges::find(function_kinds(), problem.kind) == function_kinds().end()) {
@@ -173,6 +232,11 @@ Problem load_problem(const std::filesystem::path& path) {
   problem.licence = required_text(file, "licence");
   const auto notes = file.find("notes");  // free: any shape
   if (notes && notes->is_scalar()) problem.notes = notes->text();
+  if (problem.kind == "constraint_system") {
+    read_geometry(file, valuation, problem);
+    return problem;
+  }
+  refuse_valuation(path, valuation);
   if (problem.kind == "polynomial_family") return problem;  // its members are made by the tasks
   const auto generator = file.find("generator");
   problem.system = generator ? read_generated_system(file, *generator) : read_equation_system(file);

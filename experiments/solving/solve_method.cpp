@@ -20,6 +20,11 @@ SolveOutcome solve_by_search(const SystemFunctions& functions, const SolveSettin
   return outcome;
 }
 
+OptionSpec valuation_option() {
+  return {"valuation", "of a constraint system: which values its parameters have; empty: the first",
+          std::string()};
+}
+
 std::vector<SolveMethod> all_methods() {
   std::vector<SolveMethod> methods;
   for (const SolverMethod& method : solver_method_registry().entries())
@@ -28,6 +33,7 @@ std::vector<SolveMethod> all_methods() {
   methods.push_back(univariate_method());
   methods.push_back(angle_sum_method());
   for (SolveMethod& peer : peer_methods()) methods.push_back(std::move(peer));
+  for (SolveMethod& method : methods) method.options.push_back(valuation_option());
   return methods;
 }
 

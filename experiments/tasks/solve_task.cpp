@@ -80,10 +80,12 @@ std::vector<ValueInfo> SolveTask::values() const {
 
 std::vector<std::string> SolveTask::problem_kinds() const { return system_kinds(); }
 
-void SolveTask::check(const Job& job) const { static_cast<void>(load_system(job.problem)); }
+void SolveTask::check(const Job& job) const {
+  static_cast<void>(load_system(job.problem, job.options.word("valuation")));
+}
 
 JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
-  const Problem problem = load_system(job.problem);
+  const Problem problem = load_system(job.problem, job.options.word("valuation"));
   const Stopwatch preparation;
   const SystemFunctions functions(problem.system);
   SolveSettings settings{job.method, job.options};

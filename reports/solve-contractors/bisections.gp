@@ -41,8 +41,8 @@ set label 'hull+newton, longest side' at screen 0.73773,0.02344 left font ',7' t
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:37.69968168]
-set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
+set xrange [1:195.460357924818]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)
@@ -50,17 +50,17 @@ set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \
   data index 0 using 1:2 with steps lc rgb '#0072B2' dt 1 lw 1.4, \
-  data index 0 using 1:2 every 2 with points pt 7 ps 0.45 lc rgb '#0072B2', \
+  data index 0 using 1:2 every 15 with points pt 7 ps 0.45 lc rgb '#0072B2', \
   data index 1 using 1:2 with steps lc rgb '#D55E00' dt 1 lw 1.4, \
-  data index 1 using 1:2 every 2 with points pt 5 ps 0.45 lc rgb '#D55E00', \
+  data index 1 using 1:2 every 14 with points pt 5 ps 0.45 lc rgb '#D55E00', \
   data index 2 using 1:2 with steps lc rgb '#009E73' dt 1 lw 1.4, \
-  data index 2 using 1:2 every 2 with points pt 9 ps 0.45 lc rgb '#009E73', \
+  data index 2 using 1:2 every 13 with points pt 9 ps 0.45 lc rgb '#009E73', \
   data index 3 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
-  data index 3 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
+  data index 3 using 1:2 every 13 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 4 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 4 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 4 using 1:2 every 12 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 5 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
-  data index 5 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9'
+  data index 5 using 1:2 every 12 with points pt 6 ps 0.45 lc rgb '#56B4E9'
 unset label; unset arrow
 
 # boxes
@@ -69,8 +69,8 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.13545 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:346.5975903614457]
-set xtics ('1' 1, '10' 10, '100' 100)
+set xrange [1:8552.4]
+set xtics ('1' 1, '10' 10, '100' 100, '1,000' 1000)
 unset logscale y
 set yrange [0:102]
 set ytics ('' 0, '' 20, '' 40, '' 60, '' 80, '' 100)
@@ -78,17 +78,17 @@ set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \
   data index 6 using 1:2 with steps lc rgb '#0072B2' dt 1 lw 1.4, \
-  data index 6 using 1:2 every 2 with points pt 7 ps 0.45 lc rgb '#0072B2', \
+  data index 6 using 1:2 every 15 with points pt 7 ps 0.45 lc rgb '#0072B2', \
   data index 7 using 1:2 with steps lc rgb '#D55E00' dt 1 lw 1.4, \
-  data index 7 using 1:2 every 2 with points pt 5 ps 0.45 lc rgb '#D55E00', \
+  data index 7 using 1:2 every 14 with points pt 5 ps 0.45 lc rgb '#D55E00', \
   data index 8 using 1:2 with steps lc rgb '#009E73' dt 1 lw 1.4, \
-  data index 8 using 1:2 every 2 with points pt 9 ps 0.45 lc rgb '#009E73', \
+  data index 8 using 1:2 every 13 with points pt 9 ps 0.45 lc rgb '#009E73', \
   data index 9 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
-  data index 9 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
+  data index 9 using 1:2 every 13 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 10 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 10 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 10 using 1:2 every 12 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 11 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
-  data index 11 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9'
+  data index 11 using 1:2 every 12 with points pt 6 ps 0.45 lc rgb '#56B4E9'
 unset label; unset arrow
 unset multiplot
 unset output

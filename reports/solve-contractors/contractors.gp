@@ -44,8 +44,8 @@ set label 'multipliers, smear sum' at screen 0.12069,0.02239 left font ',7' tc r
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.25255; set tmargin at screen 0.93780
 set logscale x
-set xrange [1:457.19204879999995]
-set xtics ('1' 1, '10' 10, '100' 100)
+set xrange [1:175.34907030865992]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)
@@ -53,19 +53,19 @@ set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \
   data index 0 using 1:2 with steps lc rgb '#0072B2' dt 1 lw 1.4, \
-  data index 0 using 1:2 every 2 with points pt 7 ps 0.45 lc rgb '#0072B2', \
+  data index 0 using 1:2 every 15 with points pt 7 ps 0.45 lc rgb '#0072B2', \
   data index 1 using 1:2 with steps lc rgb '#D55E00' dt 1 lw 1.4, \
-  data index 1 using 1:2 every 2 with points pt 5 ps 0.45 lc rgb '#D55E00', \
+  data index 1 using 1:2 every 13 with points pt 5 ps 0.45 lc rgb '#D55E00', \
   data index 2 using 1:2 with steps lc rgb '#009E73' dt 1 lw 1.4, \
-  data index 2 using 1:2 every 1 with points pt 9 ps 0.45 lc rgb '#009E73', \
+  data index 2 using 1:2 every 5 with points pt 9 ps 0.45 lc rgb '#009E73', \
   data index 3 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
-  data index 3 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
+  data index 3 using 1:2 every 8 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 4 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 4 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 4 using 1:2 every 8 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 5 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
-  data index 5 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9', \
+  data index 5 using 1:2 every 13 with points pt 6 ps 0.45 lc rgb '#56B4E9', \
   data index 6 using 1:2 with steps lc rgb '#000000' dt 1 lw 1.4, \
-  data index 6 using 1:2 every 2 with points pt 4 ps 0.45 lc rgb '#000000'
+  data index 6 using 1:2 every 13 with points pt 4 ps 0.45 lc rgb '#000000'
 unset label; unset arrow
 
 # boxes
@@ -83,19 +83,19 @@ set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \
   data index 7 using 1:2 with steps lc rgb '#0072B2' dt 1 lw 1.4, \
-  data index 7 using 1:2 every 2 with points pt 7 ps 0.45 lc rgb '#0072B2', \
+  data index 7 using 1:2 every 15 with points pt 7 ps 0.45 lc rgb '#0072B2', \
   data index 8 using 1:2 with steps lc rgb '#D55E00' dt 1 lw 1.4, \
-  data index 8 using 1:2 every 2 with points pt 5 ps 0.45 lc rgb '#D55E00', \
+  data index 8 using 1:2 every 13 with points pt 5 ps 0.45 lc rgb '#D55E00', \
   data index 9 using 1:2 with steps lc rgb '#009E73' dt 1 lw 1.4, \
-  data index 9 using 1:2 every 1 with points pt 9 ps 0.45 lc rgb '#009E73', \
+  data index 9 using 1:2 every 5 with points pt 9 ps 0.45 lc rgb '#009E73', \
   data index 10 using 1:2 with steps lc rgb '#E69F00' dt 1 lw 1.4, \
-  data index 10 using 1:2 every 2 with points pt 13 ps 0.45 lc rgb '#E69F00', \
+  data index 10 using 1:2 every 8 with points pt 13 ps 0.45 lc rgb '#E69F00', \
   data index 11 using 1:2 with steps lc rgb '#CC79A7' dt 1 lw 1.4, \
-  data index 11 using 1:2 every 2 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
+  data index 11 using 1:2 every 8 with points pt 11 ps 0.45 lc rgb '#CC79A7', \
   data index 12 using 1:2 with steps lc rgb '#56B4E9' dt 1 lw 1.4, \
-  data index 12 using 1:2 every 2 with points pt 6 ps 0.45 lc rgb '#56B4E9', \
+  data index 12 using 1:2 every 13 with points pt 6 ps 0.45 lc rgb '#56B4E9', \
   data index 13 using 1:2 with steps lc rgb '#000000' dt 1 lw 1.4, \
-  data index 13 using 1:2 every 2 with points pt 4 ps 0.45 lc rgb '#000000'
+  data index 13 using 1:2 every 13 with points pt 4 ps 0.45 lc rgb '#000000'
 unset label; unset arrow
 unset multiplot
 unset output

@@ -1,0 +1,54 @@
+#pragma once
+
+// A figure described by what is true of it: points, constraints between them, and values of the parameters.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/constraint_kind.h"
+
+namespace gcslab {
+
+struct Constraint {
+  const ConstraintKind* kind;
+  std::vector<std::size_t> points;
+  std::optional<std::size_t> parameter;  ///< number of the parameter, of metric kinds
+  std::size_t interpretation = 0;        ///< number among those of the kind
+};
+
+/// Values for all parameters, in their order, as constant expressions of their own graph: 1.3, sqrt(2), 30
+/// deg.
+struct Valuation {
+  std::string name;
+  std::vector<Expression> values;
+};
+
+/// Coordinates of all points: figure[p][i] is coordinate i of point p.
+using Figure = std::vector<std::vector<double>>;
+
+/// Where a figure is held: the first point is the origin, the second lies on the x axis, the third, in space,
+/// in the xy plane. Empty: coordinates are free, and constraints must hold the figure.
+using Frame = std::vector<std::size_t>;
+
+struct ConstraintSystem {
+  Universe universe = Universe::space;
+  std::vector<std::string> points;
+  std::vector<Constraint> constraints;
+  std::vector<std::string> parameters;
+  std::vector<Valuation> valuations;  ///< the first is the default; at least one
+  std::shared_ptr<ExpressionGraph> values_graph = std::make_shared<ExpressionGraph>();
+  std::optional<Frame> frame;                  ///< as the user said; nothing: to be chosen
+  std::optional<Figure> sketch;                ///< coordinates that the user gave
+  std::optional<std::uint64_t> random_sketch;  ///< the seed of a random one
+
+  /// "constraint 3, distance P0 P1".
+  std::string describe(const Constraint& constraint) const;
+  /// The valuation of that name; of the empty name, the default. Throws InputError with the nearest name.
+  const Valuation& valuation(const std::string& name) const;
+};
+
+}  // namespace gcslab

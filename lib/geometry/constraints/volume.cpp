@@ -1,0 +1,25 @@
+#include "geometry/constraint_kind.h"
+
+namespace gcslab {
+
+ConstraintKind volume_constraint() {
+  ConstraintKind kind;
+  kind.name = "volume";
+  kind.summary = "the signed volume of a tetrahedron";
+  kind.universes = {Universe::space};
+  kind.points = 4;
+  kind.restriction = [](Universe) { return 1; };
+  kind.measure = [](const ConstraintPlace& place) {
+    const Expression volume = determinant(place.vector(0, 1), place.vector(0, 2), place.vector(0, 3));
+    return volume / volume.graph().constant(6);
+  };
+  kind.interpretations = {{"polynomial", "det(PQ, PR, PS) = 6 v",
+                           [](const ConstraintPlace& place, const std::optional<Expression>& v) {
+                             return std::vector{
+                                 determinant(place.vector(0, 1), place.vector(0, 2), place.vector(0, 3)) -
+                                 v->graph().constant(6) * *v};
+                           }}};
+  return kind;
+}
+
+}  // namespace gcslab

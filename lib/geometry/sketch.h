@@ -1,0 +1,21 @@
+#pragma once
+
+// Figures that a user draws: moved into the frame, and read.
+
+#include "geometry/constraint_system.h"
+
+namespace gcslab {
+
+/// The figure moved rigidly so that the frame's points have their zero coordinates, the second one x >= 0,
+/// the third one y >= 0. Throws InputError when the frame's points are on a line (in the plane: are one
+/// point).
+Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure& figure);
+
+/// What the figure shows for each parameter: the measure of the first constraint that has it. Throws
+/// InputError that names the constraint when its measure is undefined there.
+std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure);
+
+/// The user's sketch, or a random one with coordinates uniform in [-1, 1]; nothing when there is none.
+std::optional<Figure> sketch_of(const ConstraintSystem& system);
+
+}  // namespace gcslab

@@ -1,0 +1,101 @@
+// What a user does with constraint systems: figures given by their constraints, solved through their
+// equations.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/gcslab_shell.h"
+
+namespace gcslab {
+namespace {
+
+using Json = nlohmann::json;
+
+class Geometry : public GcslabShell {
+ protected:
+  Json result() const { return Json::parse(text_of(folder_ / "r.json"), nullptr, false); }
+
+  void triangle(const std::string& valuations, const std::string& more = "") {
+    write("t.yaml",
+          "kind: constraint_system\nname: triangle\nuniverse: 2d\npoints: [A, B, C]\nconstraints:\n"
+          "  - {distance: [A, B], parameter: c}\n  - {distance: [B, C], parameter: a}\n"
+          "  - {distance: [C, A], parameter: b}\n" +
+              more + "valuations: {" + valuations + "}\norigin: test\nlicence: none\n");
+  }
+};
+
+TEST_F(Geometry, TriangleHasOneFigureUpToIsometry) {
+  triangle("right: {a: 3, b: 4, c: 5}, impossible: {a: 1, b: 1, c: 3}");
+  const Answer answer = shell("$gcslab solve t.yaml --json r.json --proof r.proof");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json found = result();
+  EXPECT_EQ(found["status"], "complete");
+  ASSERT_EQ(found["solutions"].size(), 4u);  // signs of B_x and C_y
+  ASSERT_EQ(found["classes"].size(), 1u);
+  EXPECT_EQ(found["classes"][0].size(), 4u);
+  ASSERT_EQ(found["figures"].size(), 4u);
+  EXPECT_EQ(found["figures"][0]["A"], Json::array({0.0, 0.0}));
+  EXPECT_NEAR(std::abs(found["figures"][0]["C"][1].get<double>()), 2.4, 1e-12);
+  EXPECT_EQ(shell("$gcslab verify r.json --proof r.proof").exit_code, 0);
+  ASSERT_EQ(shell("$gcslab solve t.yaml --set valuation=impossible --json r.json").exit_code, 0);
+  EXPECT_EQ(result()["status"], "complete");
+  EXPECT_TRUE(result()["solutions"].empty());
+  EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0);  // of the valuation that the result names
+}
+
+TEST_F(Geometry, OctahedronAndPentahedronHaveThePublishedFigures) {
+  for (const auto& [problem, solutions, classes] :
+       {std::tuple("polyhedra/octahedron", 32u, 4u),
+        {"polyhedra/pentahedron", 48u, 9u},
+        {"polyhedra/pentahedron --set valuation=table_4_1", 48u, 7u}}) {
+    const Answer answer = shell(std::string("$gcslab solve --json r.json --proof r.proof ") + problem);
+    ASSERT_EQ(answer.exit_code, 0) << answer.err;
+    EXPECT_EQ(result()["status"], "complete") << problem;
+    EXPECT_EQ(result()["solutions"].size(), solutions) << problem;
+    EXPECT_EQ(result()["classes"].size(), classes) << problem;
+  }
+}
+
+TEST_F(Geometry, OtherFormatsGetItsEquations) {
+  const Answer phc = shell("$gcslab export polyhedra/octahedron --to phc --out o.phc");
+  ASSERT_EQ(phc.exit_code, 0) << phc.err;
+  EXPECT_TRUE(has(text_of(folder_ / "o.phc"), "P5_z"));
+  const Answer table = shell("$gcslab export polyhedra/pentahedron --valuation table_4_1 --to minibex");
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  const Answer wrong = shell("$gcslab export polyhedra/pentahedron --valuation tabel --to minibex");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(has(wrong.err, "tabel")) << wrong.err;
+}
+
+TEST_F(Geometry, SaysWhatIsWrong) {
+  triangle("right: {a: 3, b: 4, c: -5}");
+  const Answer negative = shell("$gcslab solve t.yaml");
+  EXPECT_EQ(negative.exit_code, 2);
+  EXPECT_TRUE(has(negative.err, "constraint 1, distance A B")) << negative.err;
+  triangle("right: {a: 3, b: 4, c: 5}", "  - {equal_lengths: [A, B, C, C]}\n");
+  const Answer twice = shell("$gcslab solve t.yaml");
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_TRUE(has(twice.err, "'C' twice")) << twice.err;
+  triangle("equal: {a: 3, b: 4, c: 3}", "  - {equal_lengths: [A, B, B, C]}\n");
+  EXPECT_EQ(shell("$gcslab solve t.yaml").exit_code, 0);
+  triangle("right: {a: 3, b: 4, c: 5, s: 6}", "  - {area: [A, B, C], parameter: s}\n");
+  const Answer over = shell("$gcslab solve t.yaml");
+  EXPECT_EQ(over.exit_code, 0);
+  EXPECT_TRUE(has(over.err, "over-constrained by 1")) << over.err;
+  const Answer none = shell("$gcslab solve polyhedra/octahedron-equations --set valuation=x");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_TRUE(has(none.err, "has no valuations")) << none.err;
+  EXPECT_EQ(shell("$gcslab validate " GCSLAB_SOURCE_DIR "/data/polyhedra/pentahedron.yaml").exit_code, 0);
+}
+
+TEST_F(Geometry, IsDescribed) {
+  const Answer answer = shell("$gcslab describe polyhedra/pentahedron");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  for (const char* text :
+       {"coplanar P0 P3 P4 P5", "table_4_1", "11 unknowns, 11 equations: well-constrained"})
+    EXPECT_TRUE(has(answer.out, text)) << text << "\n" << answer.out;
+  EXPECT_TRUE(has(shell("$gcslab list problems --kind constraint_system").out, "polyhedra/octahedron"));
+}
+
+}  // namespace
+}  // namespace gcslab
