@@ -31,6 +31,7 @@ const Table& allowed() {
       {"covering", {"enclosure"}},
       {"certification", {"enclosure"}},
       {"box_solver", {"certification", "linear_program", "univariate"}},
+      {"homotopy", {"geometry", "certification"}},
       {"packing", {"box_solver"}},
       {"experiments/corpus", {"covering", "geometry", "packing"}},
       {"experiments/process", {}},
