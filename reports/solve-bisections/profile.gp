@@ -44,7 +44,7 @@ set label 'round robin' at screen 0.54410,0.02344 left font ',7' tc rgb '#202020
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:194.34985961016883]
+set xrange [1:137.45904609579296]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
@@ -74,7 +74,7 @@ set label 'τ: boxes over the least of the methods' at screen 0.76293,0.13545 ce
 set lmargin at screen 0.54310; set rmargin at screen 0.98276
 set bmargin at screen 0.21750; set tmargin at screen 0.93488
 set logscale x
-set xrange [1:432.2128301886793]
+set xrange [1:461.80075471698115]
 set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]

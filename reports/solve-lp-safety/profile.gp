@@ -50,7 +50,7 @@ set label 'CLP unprotected' at screen 0.56028,0.02239 left font ',7' tc rgb '#20
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.25255; set tmargin at screen 0.93780
 set logscale x
-set xrange [1:447.44295947032657]
+set xrange [1:406.0296053069532]
 set xtics ('1' 1, '10' 10, '100' 100)
 unset logscale y
 set yrange [0:102]

@@ -35,7 +35,7 @@ set label 'default' at screen 0.70726,0.02460 left font ',7' tc rgb '#202020' no
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:35.5718477213661]
+set xrange [1:33.36676233562944]
 set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20)
 unset logscale y
 set yrange [0:102]

@@ -29,8 +29,8 @@ set label 'IBEX 2.9 (not the same run)' at screen 0.40520,0.02460 left font ',7'
 set lmargin at screen 0.07471; set rmargin at screen 0.51437
 set bmargin at screen 0.17901; set tmargin at screen 0.93168
 set logscale x
-set xrange [1:97.97769518255792]
-set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50)
+set xrange [1:105.04382005955587]
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 unset logscale y
 set yrange [0:102]
 set ytics ('0' 0, '20' 20, '40' 40, '60' 60, '80' 80, '100' 100)

@@ -35,7 +35,7 @@ unset logscale x
 set xrange [0.26:61.74]
 set xtics ('20' 20, '40' 40, '60' 60)
 set logscale y
-set yrange [0.5709219300152971:2912971.824]
+set yrange [0.5677441415563262:3027551.8079999997]
 set ytics ('10⁰' 1, '10¹' 10, '10²' 100, '10³' 1000, '10⁴' 10000, '10⁵' 100000, '10⁶' 1e+06)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
@@ -57,7 +57,7 @@ unset logscale x
 set xrange [0.26:61.74]
 set xtics ('20' 20, '40' 40, '60' 60)
 set logscale y
-set yrange [10.28096:841.6395263999999]
+set yrange [10.427733333333334:842.8044288]
 set ytics ('20' 20, '50' 50, '100' 100, '200' 200, '500' 500)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3

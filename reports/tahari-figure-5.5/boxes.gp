@@ -231,7 +231,7 @@ unset label; unset arrow
 # LP reduction / circle-parabola-tangent-crossing
 set label 'circle-parabola-' at screen 0.88975,0.49257 center font ',8' tc rgb '#202020' noenhanced front
 set label 'tangent-crossing' at screen 0.88975,0.47617 center font ',8' tc rgb '#202020' noenhanced front
-set label '79 boxes, 2 roots' at screen 0.88975,0.25935 center font ',7' tc rgb '#606060' noenhanced front
+set label '53 boxes, 2 roots' at screen 0.88975,0.25935 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.79100; set rmargin at screen 0.98851
 set bmargin at screen 0.28881; set tmargin at screen 0.46490
 set xrange [-2:2]

@@ -78,7 +78,7 @@ unset label; unset arrow
 # LP reduction / circle-parabola-tangent-crossing
 set label 'circle-parabola-' at screen 0.72241,0.96978 center font ',8' tc rgb '#202020' noenhanced front
 set label 'tangent-crossing' at screen 0.72241,0.92773 center font ',8' tc rgb '#202020' noenhanced front
-set label '79 boxes, 2 roots' at screen 0.72241,0.49212 center font ',7' tc rgb '#606060' noenhanced front
+set label '53 boxes, 2 roots' at screen 0.72241,0.49212 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.65000; set rmargin at screen 0.79483
 set bmargin at screen 0.56767; set tmargin at screen 0.89882
 set xrange [-2:2]
