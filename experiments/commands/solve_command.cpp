@@ -28,7 +28,7 @@ namespace {
 
 struct Settings {
   std::string problem;
-  std::string method = "adaptive";
+  std::string method;  ///< empty: the default of the problem's kind
   std::vector<std::string> options;
   std::string box;
   double timeout_s = 0;
@@ -64,6 +64,7 @@ Json result_json(const Settings& settings, const Problem& problem, const SystemF
                  {"solutions", solutions_json(functions, outcome.search, settings.precision)},
                  {"undecided", undecided_json(outcome.search)}};
   if (problem.geometry != nullptr) add_figures(result, *problem.geometry, outcome.search);
+  if (!outcome.paths.empty()) add_paths(result, outcome.paths);
   result["statistics"] = statistics;
   result["provenance"] = provenance(settings.seed, utc_now());
   if (!outcome.reason.empty()) result["reason"] = outcome.reason;
@@ -97,6 +98,15 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
   }
 }
 
+void print_paths(const Json& paths) {
+  for (const Json& path : paths) {
+    const std::string end = path["type"], other_end = path["other_end"];
+    fmt::print("  path: {}{}, length {:.4g}, {} steps, crosses t = 1 {} times\n", end,
+               end == other_end ? "" : " and " + other_end, path["length"].get<double>(),
+               path["steps"].get<std::uint64_t>(), path["crossings"].size());
+  }
+}
+
 void print_summary(const Settings& settings, const SystemFunctions& functions, const Json& result) {
   constexpr std::size_t kListed = 100;
   const Json& statistics = result["statistics"];
@@ -111,6 +121,7 @@ void print_summary(const Settings& settings, const SystemFunctions& functions, c
     const std::size_t classes = result["classes"].size();
     fmt::print("  {} figure{} up to isometry\n", classes, classes == 1 ? "" : "s");
   }
+  if (result.contains("paths")) print_paths(result["paths"]);
   if (solutions <= kListed) print_solutions(functions, result);
   if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);
   if (undecided == 0) return;
@@ -180,7 +191,14 @@ void check_asked(const Settings& settings, const SolveMethod& method) {
   }
 }
 
-int run(const Settings& settings) {
+/// The contract's default for a problem of that kind.
+std::string default_method(const std::string& problem) {
+  const std::string kind = kind_of_file(Corpus::standard().problem_path(problem));
+  return kind == "constraint_system" ? "sketch_path" : "adaptive";
+}
+
+int run(Settings settings) {
+  if (settings.method.empty()) settings.method = default_method(settings.problem);
   const SolveMethod& method = solve_method_registry().at(settings.method);
   SolveSettings solve{settings.method,
                       Options(method.options, option_texts(settings.options), settings.method)};
@@ -195,6 +213,7 @@ int run(const Settings& settings) {
   check_outputs(settings);
   Picture picture(settings, problem);
   solve.record = picture.record();
+  solve.geometry = problem.geometry.get();
   const std::string hash = problem_content_hash(Corpus::standard().problem_path(settings.problem));
   const SystemFunctions functions(problem.system);
   std::optional<SearchStart> start;
@@ -231,7 +250,8 @@ void add_solve_command(CLI::App& app, int& exit_code) {
       ->add_option("problem", settings->problem,
                    "a problem file, or a name that `gcslab list problems` prints")
       ->required();
-  command->add_option("--method", settings->method, "see gcslab list methods")->capture_default_str();
+  command->add_option("--method", settings->method,
+                      "see gcslab list methods; by default adaptive, and sketch_path for constraint systems");
   command->add_option("--set", settings->options, "option=value of the method; see gcslab describe METHOD");
   command->add_option("--box", settings->box, "another box, such as \"x=[-3,3],y=[0,1]\"");
   command

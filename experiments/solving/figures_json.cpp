@@ -17,4 +17,19 @@ void add_figures(Json& result, const GeometricSource& source, const SearchResult
   result["classes"] = congruence_classes(boxes);
 }
 
+void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
+  result["paths"] = Json::array();
+  for (const auto& [path, solutions] : paths) {
+    Json crossings = Json::array();
+    for (std::size_t k = 0; k < path.crossings.size(); ++k)
+      crossings.push_back({{"length", path.crossings[k].length}, {"solution", solutions[k]}});
+    result["paths"].push_back({{"type", std::string(name_of(path.end))},
+                               {"other_end", std::string(name_of(path.other_end))},
+                               {"length", path.length},
+                               {"steps", path.steps},
+                               {"refused_steps", path.refused},
+                               {"crossings", std::move(crossings)}});
+  }
+}
+
 }  // namespace gcslab

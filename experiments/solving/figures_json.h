@@ -4,11 +4,15 @@
 
 #include "experiments/corpus/problem.h"
 #include "experiments/solving/result_json.h"
+#include "experiments/solving/solve_run.h"
 
 namespace gcslab {
 
 /// Adds "figures", the coordinates of all points for each solution, in their order, and "classes", the
 /// numbers of solutions that are the same up to isometry.
 void add_figures(Json& result, const GeometricSource& source, const SearchResult& found);
+
+/// Adds "paths": how each ended, how long it is, and where on it which solution lies.
+void add_paths(Json& result, const std::vector<FollowedPath>& paths);
 
 }  // namespace gcslab

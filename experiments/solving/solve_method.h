@@ -33,6 +33,7 @@ Status status_of(const SearchResult& found, Promise promise);
 // The methods that are no settings of the engine.
 SolveMethod univariate_method();
 SolveMethod angle_sum_method();
+SolveMethod sketch_path_method();
 std::vector<SolveMethod> peer_methods();
 
 }  // namespace gcslab

@@ -10,6 +10,7 @@
 
 #include "box_solver/solver_method.h"
 #include "experiments/corpus/problem.h"
+#include "homotopy/path_tracker.h"
 
 namespace gcslab {
 
@@ -19,13 +20,21 @@ struct SolveSettings {
   int threads = 1;
   ProofLog* proof = nullptr;  ///< not for peers
   SearchRecord* record = nullptr;
+  const GeometricSource* geometry = nullptr;                   ///< of a constraint system
   double memory_mb = std::numeric_limits<double>::infinity();  ///< of a peer's program
+};
+
+/// A path that was followed, with the number of the solution at each crossing.
+struct FollowedPath {
+  SketchPath path;
+  std::vector<std::size_t> solution_of_crossing;
 };
 
 struct SolveOutcome {
   SearchResult search;
   Status status = Status::failed;
   std::string completeness = "none";  ///< or "proved"
+  std::vector<FollowedPath> paths{};  ///< of methods that follow paths
   std::string reason{};               ///< of a peer that failed, was stopped or is not there
 };
 

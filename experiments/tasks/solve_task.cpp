@@ -94,6 +94,7 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   const bool is_recorded =
       job.parameters.integer("recorded_boxes") > 0 && can_be_drawn(functions.system().box);
   if (is_recorded) settings.record = &record;
+  settings.geometry = problem.geometry.get();
   JobResult result;
   result.timings["prepare_s"] = preparation.wall_s();
   const Stopwatch watch;

@@ -146,6 +146,17 @@ Figure figure_at(const GeometricEquations& equations, std::span<const double> un
   return filled(equations, 0.0, [&](std::size_t i) { return unknowns[i]; });
 }
 
+std::vector<double> unknowns_of(const GeometricEquations& equations, const Figure& figure) {
+  std::vector<double> result;
+  for (std::size_t p = 0; p < figure.size(); ++p) {
+    for (std::size_t axis = 0; axis < figure[p].size(); ++axis) {
+      if (!equations.points[p][axis].is_constant()) result.push_back(figure[p][axis]);
+    }
+  }
+  result.resize(equations.unknowns.size(), 0.0);
+  return result;
+}
+
 FigureBox figure_box(const GeometricEquations& equations, const Box& unknowns) {
   return filled(equations, Interval(0), [&](std::size_t i) { return unknowns[i]; });
 }

@@ -36,6 +36,8 @@ EquationSystem equation_system(const GeometricEquations& equations, const Constr
 
 /// The figure with these values of the unknowns, auxiliary ones included.
 Figure figure_at(const GeometricEquations& equations, std::span<const double> unknowns);
+/// The unknowns that a figure in the frame shows; auxiliary ones are 0.
+std::vector<double> unknowns_of(const GeometricEquations& equations, const Figure& figure);
 /// All figures with values of the unknowns in the box.
 FigureBox figure_box(const GeometricEquations& equations, const Box& unknowns);
 

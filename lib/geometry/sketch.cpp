@@ -99,6 +99,17 @@ std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& 
   return values;
 }
 
+std::vector<double> values_of(const Valuation& valuation) {
+  std::vector<double> values;
+  for (const Expression& value : valuation.values) {
+    const Tape tape(value, 0);
+    TapeEvaluator<double> evaluator(tape);
+    evaluator.evaluate({});
+    values.push_back(evaluator.value());
+  }
+  return values;
+}
+
 std::optional<Figure> sketch_of(const ConstraintSystem& system) {
   if (system.sketch || !system.random_sketch) return system.sketch;
   Random random(*system.random_sketch, "sketch");

@@ -15,6 +15,9 @@ Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure
 /// InputError that names the constraint when its measure is undefined there.
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure);
 
+/// The parameters of a valuation, rounded.
+std::vector<double> values_of(const Valuation& valuation);
+
 /// The user's sketch, or a random one with coordinates uniform in [-1, 1]; nothing when there is none.
 std::optional<Figure> sketch_of(const ConstraintSystem& system);
 

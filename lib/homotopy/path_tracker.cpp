@@ -111,16 +111,16 @@ class Tracker {
     CurvePoint here = start_;
     if (direction < 0) scale(here.tangent, -1);
     previous_.reset();
-    if (!factorise_at(here.v, here.tangent)) return PathEnd::to_undefined;
+    if (!factorise_at(here.v, here.tangent)) return given_up();
     double step = options_->first_step;
     while (path_.steps < options_->maximum_steps && !stop_.stop_requested()) {
-      if (step < options_->least_step) return PathEnd::to_undefined;
       predict(here, step);
       const std::optional<CurvePoint> next = corrected(here, step);
       if (!next || misses_a_crossing(here, *next)) {
         ++path_.refused;
         step /= 2;
-        if (!factorise_at(here.v, here.tangent)) return PathEnd::to_undefined;
+        if (step < options_->least_step) return given_up();
+        if (!factorise_at(here.v, here.tangent)) return given_up();
         continue;
       }
       ++path_.steps;
@@ -143,8 +143,12 @@ class Tracker {
     return std::sqrt(sum);
   }
 
+  /// Why no step succeeds.
+  PathEnd given_up() const { return is_defined_ ? PathEnd::budget : PathEnd::to_undefined; }
+
   bool factorise_at(const Point& v, const Point& border) {
-    return homotopy_->jacobian(v, values_, jacobian_) && matrix_.factorise(jacobian_, border);
+    is_defined_ = homotopy_->jacobian(v, values_, jacobian_);
+    return is_defined_ && matrix_.factorise(jacobian_, border);
   }
 
   void predict(const CurvePoint& here, double step) {
@@ -169,7 +173,8 @@ class Tracker {
     double before = 0, first = 0, rate = 0;
     bool is_done = false;
     for (int k = 0; k < kCorrections && !is_done; ++k) {
-      if (!homotopy_->values(next.v, values_)) return std::nullopt;
+      is_defined_ = homotopy_->values(next.v, values_);
+      if (!is_defined_) return std::nullopt;
       matrix_.solve(values_, 0, change_);
       const double change = norm(change_);
       if (k == 0) first = change;
@@ -279,6 +284,7 @@ class Tracker {
   int direction_ = 1;
   double length_ = 0;
   double growth_ = 1;
+  bool is_defined_ = true;  ///< where the equations were asked for last
   CurvePoint start_;
   std::optional<Previous> previous_;
   Point predicted_, values_, change_;

@@ -32,7 +32,12 @@ struct TrackerOptions {
   std::uint64_t maximum_steps = 1'000'000;
 };
 
-enum class PathEnd { cycle, to_infinity, to_undefined, budget };
+enum class PathEnd {
+  cycle,         ///< back at the sketch
+  to_infinity,   ///< far out
+  to_undefined,  ///< to a point at which the equations are undefined
+  budget         ///< given up: the steps are used up, or none succeeds, as at a critical point
+};
 /// The words of results.
 std::string_view name_of(PathEnd end);
 

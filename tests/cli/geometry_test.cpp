@@ -15,18 +15,18 @@ class Geometry : public GcslabShell {
  protected:
   Json result() const { return Json::parse(text_of(folder_ / "r.json"), nullptr, false); }
 
-  void triangle(const std::string& valuations, const std::string& more = "") {
+  void triangle(const std::string& valuations, const std::string& more = "", const std::string& sketch = "") {
     write("t.yaml",
           "kind: constraint_system\nname: triangle\nuniverse: 2d\npoints: [A, B, C]\nconstraints:\n"
           "  - {distance: [A, B], parameter: c}\n  - {distance: [B, C], parameter: a}\n"
           "  - {distance: [C, A], parameter: b}\n" +
-              more + "valuations: {" + valuations + "}\norigin: test\nlicence: none\n");
+              more + "valuations: {" + valuations + "}\n" + sketch + "origin: test\nlicence: none\n");
   }
 };
 
 TEST_F(Geometry, TriangleHasOneFigureUpToIsometry) {
   triangle("right: {a: 3, b: 4, c: 5}, impossible: {a: 1, b: 1, c: 3}");
-  const Answer answer = shell("$gcslab solve t.yaml --json r.json --proof r.proof");
+  const Answer answer = shell("$gcslab solve t.yaml --method adaptive --json r.json --proof r.proof");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json found = result();
   EXPECT_EQ(found["status"], "complete");
@@ -37,7 +37,8 @@ TEST_F(Geometry, TriangleHasOneFigureUpToIsometry) {
   EXPECT_EQ(found["figures"][0]["A"], Json::array({0.0, 0.0}));
   EXPECT_NEAR(std::abs(found["figures"][0]["C"][1].get<double>()), 2.4, 1e-12);
   EXPECT_EQ(shell("$gcslab verify r.json --proof r.proof").exit_code, 0);
-  ASSERT_EQ(shell("$gcslab solve t.yaml --set valuation=impossible --json r.json").exit_code, 0);
+  ASSERT_EQ(
+      shell("$gcslab solve t.yaml --method adaptive --set valuation=impossible --json r.json").exit_code, 0);
   EXPECT_EQ(result()["status"], "complete");
   EXPECT_TRUE(result()["solutions"].empty());
   EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0);  // of the valuation that the result names
@@ -48,12 +49,40 @@ TEST_F(Geometry, OctahedronAndPentahedronHaveThePublishedFigures) {
        {std::tuple("polyhedra/octahedron", 32u, 4u),
         {"polyhedra/pentahedron", 48u, 9u},
         {"polyhedra/pentahedron --set valuation=table_4_1", 48u, 7u}}) {
-    const Answer answer = shell(std::string("$gcslab solve --json r.json --proof r.proof ") + problem);
+    const Answer answer =
+        shell(std::string("$gcslab solve --method adaptive --json r.json --proof r.proof ") + problem);
     ASSERT_EQ(answer.exit_code, 0) << answer.err;
     EXPECT_EQ(result()["status"], "complete") << problem;
     EXPECT_EQ(result()["solutions"].size(), solutions) << problem;
     EXPECT_EQ(result()["classes"].size(), classes) << problem;
   }
+}
+
+TEST_F(Geometry, SketchOfTheOctahedronCarriesItsFigures) {
+  const Answer answer = shell("$gcslab solve polyhedra/octahedron --json r.json");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json found = result();
+  EXPECT_EQ(found["method"]["name"], "sketch_path");
+  EXPECT_EQ(found["status"], "partial");
+  EXPECT_EQ(found["completeness"], "none");
+  EXPECT_EQ(found["classes"].size(), 4u);
+  for (const Json& solution : found["solutions"]) EXPECT_EQ(solution["certificate"]["claim"], "unique");
+  ASSERT_EQ(found["paths"].size(), 1u);
+  EXPECT_EQ(found["paths"][0]["type"], "cycle");
+  EXPECT_EQ(found["paths"][0]["crossings"].size(), 4u);
+  EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0);
+  triangle("right: {a: 3, b: 4, c: 5}");
+  const Answer none = shell("$gcslab solve t.yaml");
+  EXPECT_EQ(none.exit_code, 4);
+  EXPECT_TRUE(has(none.err, "sketch")) << none.err;
+  triangle("right: {a: 3, b: 4, c: 5}", "", "sketch: {A: [0, 0], B: [1, 0], C: [0, 1]}\n");
+  ASSERT_EQ(shell("$gcslab solve t.yaml --json r.json").exit_code, 0);
+  EXPECT_EQ(result()["classes"].size(), 1u);
+  triangle("right: {a: 3, b: 4, c: 5}", "", "sketch: {A: [0, 0], B: [0, 0], C: [0, 1]}\n");
+  const Answer together = shell("$gcslab solve t.yaml");
+  EXPECT_EQ(together.exit_code, 2);
+  EXPECT_TRUE(has(together.err, "one place")) << together.err;
+  EXPECT_EQ(shell("$gcslab solve polyhedra/octahedron-equations --method sketch_path").exit_code, 4);
 }
 
 TEST_F(Geometry, OtherFormatsGetItsEquations) {
@@ -69,17 +98,17 @@ TEST_F(Geometry, OtherFormatsGetItsEquations) {
 
 TEST_F(Geometry, SaysWhatIsWrong) {
   triangle("right: {a: 3, b: 4, c: -5}");
-  const Answer negative = shell("$gcslab solve t.yaml");
+  const Answer negative = shell("$gcslab solve t.yaml --method adaptive");
   EXPECT_EQ(negative.exit_code, 2);
   EXPECT_TRUE(has(negative.err, "constraint 1, distance A B")) << negative.err;
   triangle("right: {a: 3, b: 4, c: 5}", "  - {equal_lengths: [A, B, C, C]}\n");
-  const Answer twice = shell("$gcslab solve t.yaml");
+  const Answer twice = shell("$gcslab solve t.yaml --method adaptive");
   EXPECT_EQ(twice.exit_code, 2);
   EXPECT_TRUE(has(twice.err, "'C' twice")) << twice.err;
   triangle("equal: {a: 3, b: 4, c: 3}", "  - {equal_lengths: [A, B, B, C]}\n");
-  EXPECT_EQ(shell("$gcslab solve t.yaml").exit_code, 0);
+  EXPECT_EQ(shell("$gcslab solve t.yaml --method adaptive").exit_code, 0);
   triangle("right: {a: 3, b: 4, c: 5, s: 6}", "  - {area: [A, B, C], parameter: s}\n");
-  const Answer over = shell("$gcslab solve t.yaml");
+  const Answer over = shell("$gcslab solve t.yaml --method adaptive");
   EXPECT_EQ(over.exit_code, 0);
   EXPECT_TRUE(has(over.err, "over-constrained by 1")) << over.err;
   const Answer none = shell("$gcslab solve polyhedra/octahedron-equations --set valuation=x");

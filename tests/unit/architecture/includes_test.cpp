@@ -36,7 +36,7 @@ const Table& allowed() {
       {"experiments/corpus", {"covering", "geometry", "packing"}},
       {"experiments/process", {}},
       {"experiments/peers", {"experiments/process", "box_solver"}},
-      {"experiments/solving", {"experiments/corpus", "experiments/peers", "box_solver"}},
+      {"experiments/solving", {"experiments/corpus", "experiments/peers", "box_solver", "homotopy"}},
       {"experiments/tasks", {"experiments/solving"}},
       {"experiments/runner", {"experiments/tasks", "experiments/provenance.h"}},
       {"experiments/reporting", {"experiments/runner"}},

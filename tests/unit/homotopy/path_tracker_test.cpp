@@ -32,26 +32,10 @@ Figured corpus_figure(const std::string& name) {
 }
 
 std::vector<double> unknowns_of(const Figured& figured, const Figure& figure) {
-  const Figure moved = in_frame(figured.system, figured.frame, figure);
-  std::vector<double> result;
-  for (std::size_t p = 0; p < moved.size(); ++p) {
-    for (std::size_t axis = 0; axis < moved[p].size(); ++axis) {
-      if (!figured.equations.points[p][axis].is_constant()) result.push_back(moved[p][axis]);
-    }
-  }
-  return result;
+  return unknowns_of(figured.equations, in_frame(figured.system, figured.frame, figure));
 }
 
-std::vector<double> wanted_of(const Figured& figured) {
-  std::vector<double> result;
-  for (const Expression& value : figured.system.valuation("").values) {
-    const Tape tape(value, 0);
-    TapeEvaluator<double> evaluator(tape);
-    evaluator.evaluate({});
-    result.push_back(evaluator.value());
-  }
-  return result;
-}
+std::vector<double> wanted_of(const Figured& figured) { return values_of(figured.system.valuation("")); }
 
 std::vector<std::vector<double>> distances_of(const Figured& figured,
                                               const std::vector<Crossing>& crossings) {
