@@ -270,7 +270,8 @@ std::unique_ptr<RootCertifier> made(std::vector<std::string> names, const System
   const bool is_alone = names.size() == 1;
   if (std::erase(names, kSlopes) > 0)
     parts.push_back(std::make_unique<SlopeCertifier<T>>(functions, scales, bits));
-  if (!names.empty()) parts.push_back(std::make_unique<TestCertifier<T>>(functions, names, is_alone, scales, bits));
+  if (!names.empty())
+    parts.push_back(std::make_unique<TestCertifier<T>>(functions, names, is_alone, scales, bits));
   return std::make_unique<CertifierChain>(std::move(parts));
 }
 

@@ -9,9 +9,9 @@
 //   build/fuzz/tests/fuzz/minibex_fuzz -max_total_time=600 -max_len=2000 -timeout=60 -rss_limit_mb=4096
 //       -dict=tests/fuzz/minibex.dict build/fuzz/corpus/minibex tests/fuzz/seeds/minibex      (one line)
 //
-// and the same for phc, problem, constraint_system (our YAML, at most 4000 bytes) and expression, without -dict. New inputs go
-// to the first folder; tests/fuzz/seeds stays small. A file that crashes a target runs again by
-// build/fuzz/tests/fuzz/minibex_fuzz <file>.
+// and the same for phc, problem, constraint_system (our YAML, at most 4000 bytes) and expression, without
+// -dict. New inputs go to the first folder; tests/fuzz/seeds stays small. A file that crashes a target runs
+// again by build/fuzz/tests/fuzz/minibex_fuzz <file>.
 
 #include <cstddef>
 #include <cstdint>
