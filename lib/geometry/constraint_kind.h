@@ -28,6 +28,10 @@ struct ConstraintPlace {
   Vector vector(std::size_t from, std::size_t to) const { return difference(points[to], points[from]); }
 };
 
+/// That one vector is a multiple of another: det(u, v) = 0 in the plane; v = s u in space, with an unknown s.
+std::size_t auxiliaries_of_multiple(Universe universe);
+std::vector<Expression> multiple_equations(const ConstraintPlace& place, const Vector& u, const Vector& v);
+
 /// One way to write a constraint. Equations are expressions that vanish where it holds.
 struct Interpretation {
   std::string name;

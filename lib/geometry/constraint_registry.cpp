@@ -4,6 +4,15 @@
 
 namespace gcslab {
 
+std::size_t auxiliaries_of_multiple(Universe universe) { return universe == Universe::plane ? 0 : 1; }
+
+std::vector<Expression> multiple_equations(const ConstraintPlace& place, const Vector& u, const Vector& v) {
+  if (place.universe == Universe::plane) return {determinant(u, v)};
+  std::vector<Expression> equations;
+  for (std::size_t i = 0; i < v.size(); ++i) equations.push_back(v[i] - place.auxiliaries[0] * u[i]);
+  return equations;
+}
+
 bool ConstraintKind::takes(Universe universe) const {
   return std::ranges::find(universes, universe) != universes.end();
 }
