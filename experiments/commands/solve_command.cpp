@@ -180,14 +180,14 @@ class Picture {
   std::array<std::size_t, 2> variables_{};
   SearchRecord record_{kDrawnBoxes};
 };
-/// What a program of others cannot be asked for.
+/// What a method that does not search cannot be asked for.
 void check_asked(const Settings& settings, const SolveMethod& method) {
-  if (!method.is_peer) return;
+  if (method.no_search.empty()) return;
   for (const auto& [option, value] : {std::pair("--proof", settings.proof),
                                       {"--pending", settings.pending},
                                       {"--resume", settings.resume}}) {
     if (!value.empty())
-      throw InputError(fmt::format("{}: not with {}, which is a program of others", option, method.name));
+      throw InputError(fmt::format("{}: not with {}, which {}", option, method.name, method.no_search));
   }
 }
 

@@ -27,8 +27,14 @@ std::vector<SolveMethod> peer_methods() {
     const auto solve = [&peer](const SystemFunctions& functions, const SolveSettings& settings,
                                const std::optional<SearchStart>&, const std::stop_token& stop,
                                SearchObserver*) { return solved_by(peer, functions, settings, stop); };
-    methods.push_back(
-        {peer.name, peer.summary, peer.version, peer.options, solve, Promise::baseline, {}, true});
+    methods.push_back({peer.name,
+                       peer.summary,
+                       peer.version,
+                       peer.options,
+                       solve,
+                       Promise::baseline,
+                       {},
+                       "is a program of others"});
   }
   return methods;
 }

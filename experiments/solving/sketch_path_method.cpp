@@ -45,10 +45,9 @@ Box box_around(const std::vector<double>& point) {
 }
 
 SolveOutcome solve_along_sketch(const SystemFunctions& functions, const SolveSettings& settings,
-                                const std::optional<SearchStart>& start, const std::stop_token& stop,
+                                const std::optional<SearchStart>&, const std::stop_token& stop,
                                 SearchObserver*) {
   if (settings.geometry == nullptr) throw NotApplicable("only constraint systems have a sketch");
-  if (start) throw NotApplicable("a path is followed from its sketch each time, and not resumed");
   const ConstraintSystem& system = settings.geometry->system;
   const GeometricEquations& equations = settings.geometry->equations;
   if (!functions.is_square()) throw NotApplicable(balance_text(equations));
@@ -93,7 +92,10 @@ SolveMethod sketch_path_method() {
        integer_option("maximum_steps", "work budget", "steps", 1'000'000, 1, 1'000'000'000),
        OptionSpec{"certifier", "what proves solutions: names of theorems, joined by +",
                   std::string("krawczyk_slopes+kantorovich")}},
-      solve_along_sketch};
+      solve_along_sketch,
+      Promise::rigorous,
+      {},
+      "follows a path"};
 }
 
 }  // namespace gcslab

@@ -22,7 +22,8 @@ struct SolveMethod {
   Promise promise = Promise::rigorous;
   /// Where some options are baselines: the promise of the method with these. Empty: `promise`.
   std::function<Promise(const Options&)> promise_with{};
-  bool is_peer = false;  ///< a program of others: it writes no proof and cannot be resumed
+  /// Empty, or why it writes no proof and cannot be resumed.
+  std::string no_search{};
 };
 
 const Registry<SolveMethod>& solve_method_registry();

@@ -10,7 +10,4 @@ enum class Universe { plane, space };
 
 constexpr std::size_t dimension(Universe universe) { return universe == Universe::plane ? 2 : 3; }
 
-/// Of the group of rigid motions.
-constexpr int motions(Universe universe) { return universe == Universe::plane ? 3 : 6; }
-
 }  // namespace gcslab

@@ -1,7 +1,5 @@
 #include "homotopy/bordered_matrix.h"
 
-#include <cmath>
-
 namespace gcslab {
 
 bool BorderedMatrix::factorise(const Matrix<double>& jacobian, std::span<const double> border) {
@@ -13,8 +11,7 @@ bool BorderedMatrix::factorise(const Matrix<double>& jacobian, std::span<const d
   matrix_.row(rows) = Eigen::Map<const Eigen::RowVectorXd>(border.data(), rows + 1);
   lu_.compute(matrix_);
   const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
-  pivot_ratio_ = pivots.maxCoeff() / pivots.minCoeff();
-  return std::isfinite(pivot_ratio_) && pivot_ratio_ < kSingular;
+  return pivots.maxCoeff() < kSingular * pivots.minCoeff();
 }
 
 void BorderedMatrix::solve(std::span<const double> values, double last, std::span<double> result) {

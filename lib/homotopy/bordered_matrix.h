@@ -17,14 +17,11 @@ class BorderedMatrix {
   bool factorise(const Matrix<double>& jacobian, std::span<const double> border);
   /// Solves for the right side (values; last); the result has m + 1 entries.
   void solve(std::span<const double> values, double last, std::span<double> result);
-  /// The largest pivot over the smallest: how near it is to singular.
-  double pivot_ratio() const { return pivot_ratio_; }
 
  private:
   Eigen::MatrixXd matrix_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Eigen::VectorXd right_;
-  double pivot_ratio_ = 0;
 };
 
 }  // namespace gcslab

@@ -57,6 +57,7 @@ class Tracker {
         m_(homotopy.size()),
         sketch_(sketch.begin(), sketch.end()),
         values_(m_),
+        zero_(m_, 0.0),
         change_(m_ + 1),
         jacobian_(m_, m_ + 1) {
     size_ = std::max(norm(sketch_), 1e-300);
@@ -81,12 +82,10 @@ class Tracker {
       throw NotApplicable("the sketch has points at which the equations are undefined");
     Point border(m_ + 1, 0.0);
     border[m_] = 1;
-    if (!matrix_.factorise(jacobian_, border)) border = direction_of_kernel();
-    if (!matrix_.factorise(jacobian_, border))
+    if (!matrix_.factorise(jacobian_, border) && !matrix_.factorise(jacobian_, direction_of_kernel()))
       throw NotApplicable(
           "the sketch is singular: its constraints depend on each other there, draw it otherwise");
-    const Point zero(m_, 0.0);
-    matrix_.solve(zero, 1, start.tangent);
+    matrix_.solve(zero_, 1, start.tangent);
     scale(start.tangent, 1 / norm(start.tangent));
     return start;
   }
@@ -185,8 +184,7 @@ class Tracker {
       before = change;
     }
     if (!is_done || !factorise_at(next.v, here.tangent)) return std::nullopt;
-    const Point zero(m_, 0.0);
-    matrix_.solve(zero, 1, next.tangent);
+    matrix_.solve(zero_, 1, next.tangent);
     scale(next.tangent, 1 / norm(next.tangent));
     const double cosine = dot(next.tangent, here.tangent);
     if (!(cosine > std::cos(options_->largest_turn))) return std::nullopt;
@@ -287,7 +285,7 @@ class Tracker {
   bool is_defined_ = true;  ///< where the equations were asked for last
   CurvePoint start_;
   std::optional<Previous> previous_;
-  Point predicted_, values_, change_;
+  Point predicted_, values_, zero_, change_;
   Matrix<double> jacobian_;
   BorderedMatrix matrix_;
   SketchPath path_;

@@ -1,7 +1,9 @@
 #include "homotopy/starting_figure.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "expression/tape_evaluator.h"
 #include "geometry/sketch.h"

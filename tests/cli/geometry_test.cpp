@@ -71,6 +71,9 @@ TEST_F(Geometry, SketchOfTheOctahedronCarriesItsFigures) {
   EXPECT_EQ(found["paths"][0]["type"], "cycle");
   EXPECT_EQ(found["paths"][0]["crossings"].size(), 4u);
   EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0);
+  const Answer proof = shell("$gcslab solve polyhedra/octahedron --proof o.proof");
+  EXPECT_EQ(proof.exit_code, 2);
+  EXPECT_TRUE(has(proof.err, "follows a path")) << proof.err;
   triangle("right: {a: 3, b: 4, c: 5}");
   const Answer none = shell("$gcslab solve t.yaml");
   EXPECT_EQ(none.exit_code, 4);

@@ -115,6 +115,16 @@ TEST_P(ConstraintKindContract, HoldsForTheParameterThatAFigureShows) {
   }
 }
 
+TEST_P(ConstraintKindContract, SaysThatItIsNotSmoothWherePointsMeet) {
+  for (const Interpretation& interpretation : GetParam().kind->interpretations) {
+    if (interpretation.not_smooth_at == nullptr) continue;
+    ExpressionGraph graph;
+    const Vector point(dimension(GetParam().universe), graph.constant(1));
+    const ConstraintPlace together{GetParam().universe, std::vector(GetParam().kind->points, point)};
+    for (const Expression& size : interpretation.not_smooth_at(together)) EXPECT_TRUE(size.is_constant(0));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Registered, ConstraintKindContract, testing::ValuesIn(choices()), name_of_choice);
 
 struct Example {

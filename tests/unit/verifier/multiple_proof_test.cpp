@@ -7,23 +7,21 @@
 namespace gcslab {
 namespace {
 
+/// The claim that the row, line 6 of the proof, shows the box to be empty.
+HandWritten proof_by_row(const EquationSystem& system, const std::string& box, const std::string& row) {
+  HandWritten proof;
+  proof.system = system;
+  proof.result = result_of(proof.system, Json::array());
+  proof.lines = {"gcslab-proof 1", "box" + box, "start 0" + box, "node 0",
+                 "expansion",      row,         "end empty",     "end"};
+  return proof;
+}
+
 /// x (x + y) = 1 has no root with x, y in [1, 3]: divided by x, x + y - 1/x >= 1 there.
 HandWritten product_of_sums() {
-  HandWritten proof;
-  proof.system = system_of({"x", "y"}, {"x*(x + y) - 1", "y - x"}, {{1, 3}, {1, 3}});
-  proof.result = result_of(proof.system, Json::array());
-  const std::string box = " 0x1p+0 0x1.8p+1 0x1p+0 0x1.8p+1";
-  proof.lines = {
-      "gcslab-proof 1",                                      // 1
-      "box" + box,                                           // 2
-      "start 0" + box,                                       // 3
-      "node 0",                                              // 4
-      "expansion",                                           // 5
-      "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 0 : 0x1p+0",  // 6
-      "end empty",                                           // 7
-      "end",                                                 // 8
-  };
-  return proof;
+  return proof_by_row(system_of({"x", "y"}, {"x*(x + y) - 1", "y - x"}, {{1, 3}, {1, 3}}),
+                      " 0x1p+0 0x1.8p+1 0x1p+0 0x1.8p+1",
+                      "expansion_row 0 empty 0x0p+0 0x0p+0 q 0 0 : 0x1p+0");
 }
 
 TEST(QuotientProof, IsAccepted) {
@@ -87,21 +85,8 @@ TEST(QuotientProof, IsRefusedAtTheLineThatIsSpoiled) {
 
 /// Whatever x is in [1/2, 2], y = x and x y = x^2 + 1 have no root: x times the first, less the second, is 1.
 HandWritten product_that_cancels() {
-  HandWritten proof;
-  proof.system = system_of({"x", "y"}, {"y - x", "x*y - x^2 - 1"}, {{0.5, 2}, {0.5, 2}});
-  proof.result = result_of(proof.system, Json::array());
-  const std::string box = " 0x1p-1 0x1p+1 0x1p-1 0x1p+1";
-  proof.lines = {
-      "gcslab-proof 1",                                       // 1
-      "box" + box,                                            // 2
-      "start 0" + box,                                        // 3
-      "node 0",                                               // 4
-      "expansion",                                            // 5
-      "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0 : 0x1p+0",  // 6
-      "end empty",                                            // 7
-      "end",                                                  // 8
-  };
-  return proof;
+  return proof_by_row(system_of({"x", "y"}, {"y - x", "x*y - x^2 - 1"}, {{0.5, 2}, {0.5, 2}}),
+                      " 0x1p-1 0x1p+1 0x1p-1 0x1p+1", "expansion_row 0 empty 0x0p+0 -0x1p+0 m 0 0 : 0x1p+0");
 }
 
 TEST(ProductProof, IsAccepted) {
