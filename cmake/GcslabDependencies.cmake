@@ -21,6 +21,13 @@ find_library(FLINT_LIBRARY flint REQUIRED)
 add_library(FLINT::FLINT UNKNOWN IMPORTED)
 set_target_properties(FLINT::FLINT PROPERTIES
   IMPORTED_LOCATION ${FLINT_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${FLINT_INCLUDE_DIR})
+find_path(CERES_INCLUDE_DIR ceres/ceres.h REQUIRED)  # its CMake file asks for the headers of libunwind, which clang's displace
+find_library(CERES_LIBRARY ceres REQUIRED)
+find_library(GLOG_LIBRARY glog REQUIRED)
+add_library(Ceres::ceres UNKNOWN IMPORTED)
+set_target_properties(Ceres::ceres PROPERTIES
+  IMPORTED_LOCATION ${CERES_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${CERES_INCLUDE_DIR}
+  INTERFACE_LINK_LIBRARIES "Eigen3::Eigen;${GLOG_LIBRARY}")
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 if(GCSLAB_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -16,6 +16,7 @@
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/registry.h"
 #include "expression/printer.h"
+#include "geometry/degrees_of_freedom.h"
 
 namespace gcslab {
 namespace {
@@ -93,10 +94,17 @@ Json reference_json(const CorpusEntry& entry, Json result) {
 void add_geometry(Json& result, const GeometricSource& source) {
   const auto names_of = [&](const std::vector<std::size_t>& points) {
     Json names = Json::array();
-    for (const std::size_t point : points) names.push_back(source.system.points[point]);
+    for (const std::size_t point : points) names.push_back(source.system.objects[point].name);
     return names;
   };
   result["universe"] = source.system.universe == Universe::plane ? "2d" : "3d";
+  for (const Sort sort : all_sorts()) {
+    Json names = Json::array();
+    for (const NamedObject& object : source.system.objects) {
+      if (object.sort == sort) names.push_back(object.name);
+    }
+    result[name_of(sort) + "s"] = names;
+  }
   result["constraints"] = Json::array();
   for (const Constraint& constraint : source.system.constraints)
     result["constraints"].push_back(source.system.describe(constraint));
@@ -105,6 +113,10 @@ void add_geometry(Json& result, const GeometricSource& source) {
   for (const Valuation& valuation : source.system.valuations) result["valuations"].push_back(valuation.name);
   result["frame"] = names_of(source.frame);
   result["balance"] = balance_text(source.equations);
+  result["structure"] = structure_text(source.system, structural_diagnosis(source.equations));
+  const auto witness = witness_diagnosis(source.system, source.frame, source.equations);
+  result["witness"] = witness ? witness_text(source.system, source.equations, *witness)
+                              : "no figure found on which the boolean constraints hold";
 }
 
 Json problem_json(const CorpusEntry& entry) {

@@ -11,17 +11,20 @@
 #include "experiments/commands/command_options.h"
 #include "experiments/commands/exit_code.h"
 #include "experiments/commands/interruption.h"
+#include "experiments/commands/path_session.h"
 #include "experiments/commands/search_progress.h"
 #include "experiments/corpus/corpus.h"
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/provenance.h"
 #include "experiments/reporting/box_picture.h"
 #include "experiments/reporting/cover_picture.h"
+#include "experiments/reporting/figures_picture.h"
 #include "experiments/solving/figures_json.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/solve_method.h"
 #include "experiments/tasks/memory_use.h"
 #include "experiments/tasks/stopwatch.h"
+#include "geometry/degrees_of_freedom.h"
 
 namespace gcslab {
 namespace {
@@ -72,13 +75,27 @@ Json result_json(const Settings& settings, const Problem& problem, const SystemF
   return result;
 }
 
-Json statistics_json(const SearchResult& found, const Stopwatch& watch) {
-  return {{"wall_s", watch.wall_s()},
-          {"cpu_s", watch.cpu_s()},
-          {"peak_rss_mb", peak_rss_mb()},
-          {"boxes", found.statistics.boxes},
-          {"bisections", found.statistics.bisections},
-          {"undecided_volume", undecided_volume(found)}};  // infinite: null
+Json statistics_json(const SolveOutcome& outcome, const Stopwatch& watch) {
+  const SearchResult& found = outcome.search;
+  Json result = {{"wall_s", watch.wall_s()},
+                 {"cpu_s", watch.cpu_s()},
+                 {"peak_rss_mb", peak_rss_mb()},
+                 {"boxes", found.statistics.boxes},
+                 {"bisections", found.statistics.bisections},
+                 {"undecided_volume", undecided_volume(found)}};  // infinite: null
+  if (outcome.steps) result["steps"] = *outcome.steps;
+  return result;
+}
+
+/// What is not proved of a solution.
+std::string doubt_text(const Json& solution, std::size_t unknowns) {
+  const std::string claim = solution["certificate"]["claim"];
+  if (claim == "exists") return " (a root exists near, perhaps more than one)";
+  if (claim != "none") return "";
+  if (!solution.contains("jacobian_rank") || solution["jacobian_rank"] == unknowns) return " (not certified)";
+  return fmt::format(" (not certified: singular, rank {} of {}{})",
+                     solution["jacobian_rank"].get<std::size_t>(), unknowns,
+                     solution["on_continuum"].get<bool>() ? ", others lie beside it" : "");
 }
 
 void print_solutions(const SystemFunctions& functions, const Json& result) {
@@ -92,9 +109,8 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
       line += fmt::format("{}{} = {}", i == 0 ? "" : ", ", names[i], value);
     }
     const int multiplicity = solution.value("multiplicity", 1);
-    const bool is_alone = solution["certificate"]["claim"] != "exists";
     fmt::print("  {}{}{}\n", line, multiplicity > 1 ? fmt::format(" (multiplicity {})", multiplicity) : "",
-               is_alone ? "" : " (a root exists near, perhaps more than one)");
+               doubt_text(solution, names.size()));
   }
 }
 
@@ -158,37 +174,57 @@ void check_outputs(const Settings& settings) {
   }
 }
 
-/// The boxes of the search, when somebody wants to see them.
+/// The figures of a constraint system, or the boxes of a search, when somebody wants to see them.
 class Picture {
  public:
-  Picture(const Settings& settings, const Problem& problem) : file_(settings.figure) {
+  Picture(const Settings& settings, const Problem& problem)
+      : file_(settings.figure),
+        shows_boxes_(problem.geometry == nullptr || !settings.figure_variables.empty()) {
     if (file_.empty() && !settings.figure_variables.empty())
       throw InputError("--figure-variables says what --figure shows; give that too");
     if (file_.empty()) return;
     check_picture_file(file_);
-    variables_ = pictured_variables(problem, settings.figure_variables);
+    if (shows_boxes_) variables_ = pictured_variables(problem, settings.figure_variables);
   }
-  SearchRecord* record() { return file_.empty() ? nullptr : &record_; }
+  SearchRecord* record() { return file_.empty() || !shows_boxes_ ? nullptr : &record_; }
   void write(const Problem& problem, const SearchResult& result, const std::string& method) const {
     if (file_.empty()) return;
-    write_box_picture(problem, search_picture(problem.system.box, record_, result), variables_, method,
-                      file_);
+    if (shows_boxes_) {
+      write_box_picture(problem, search_picture(problem.system.box, record_, result), variables_, method,
+                        file_);
+    } else {
+      write_figures_picture(figure_picture(*problem.geometry, result), problem.name + ", " + method, file_);
+    }
   }
 
  private:
   std::string file_;
+  bool shows_boxes_;
   std::array<std::size_t, 2> variables_{};
   SearchRecord record_{kDrawnBoxes};
 };
+
 /// What a method that does not search cannot be asked for.
 void check_asked(const Settings& settings, const SolveMethod& method) {
   if (method.no_search.empty()) return;
+  const bool is_resumable = method.follows_path;
   for (const auto& [option, value] : {std::pair("--proof", settings.proof),
                                       {"--pending", settings.pending},
                                       {"--resume", settings.resume}}) {
-    if (!value.empty())
+    if (!value.empty() && !(is_resumable && std::string_view(option) != "--proof"))
       throw InputError(fmt::format("{}: not with {}, which {}", option, method.name, method.no_search));
   }
+}
+
+/// What a stopped path belongs to. How far it may go and what certifies its solutions are not part of it.
+PathIdentity path_identity(const std::string& problem_hash, const std::string& method,
+                           const Options& options) {
+  std::string text;
+  for (const auto& [name, value] : options.values()) {
+    if (name != "maximum_steps" && name != "certifier") text += name + "=" + to_string(value) + " ";
+  }
+  if (!text.empty()) text.pop_back();
+  return {problem_hash, method, text};
 }
 
 /// The contract's default for a problem of that kind.
@@ -207,7 +243,8 @@ int run(Settings settings) {
     problem.system.box = read_box_option(settings.box, problem.system.variables, problem.system.box);
   check_asked(settings, method);
   if (problem.geometry != nullptr && problem.system.equations.size() != problem.system.variables.size())
-    fmt::print(stderr, "gcslab: note: {}\n", balance_text(problem.geometry->equations));
+    fmt::print(stderr, "gcslab: note: {}; {}\n", balance_text(problem.geometry->equations),
+               structure_text(problem.geometry->system, structural_diagnosis(problem.geometry->equations)));
   solve.threads = settings.threads;
   if (settings.memory_mb > 0) solve.memory_mb = settings.memory_mb;
   check_outputs(settings);
@@ -217,18 +254,29 @@ int run(Settings settings) {
   const std::string hash = problem_content_hash(Corpus::standard().problem_path(settings.problem));
   const SystemFunctions functions(problem.system);
   std::optional<SearchStart> start;
-  if (!settings.resume.empty()) start = read_pending(settings.resume, hash, problem.system.box);
+  const PathIdentity identity = path_identity(hash, settings.method, solve.options);
+  std::optional<PathState> path_from;
+  if (!settings.resume.empty() && method.follows_path) {
+    path_from = read_path_state(settings.resume, identity);
+    solve.path_from = &*path_from;
+  } else if (!settings.resume.empty())
+    start = read_pending(settings.resume, hash, problem.system.box);
   ProofFile proof(settings.proof);
   solve.proof = proof.log();
   Interruption interruption(settings.timeout_s);
   SearchProgress progress(isatty(STDERR_FILENO) != 0, settings.memory_mb, interruption);
+  PathSession path_session(identity, method.follows_path ? settings.pending : "", isatty(STDERR_FILENO) != 0,
+                           settings.memory_mb, interruption);
+  if (method.follows_path) solve.path_observer = [&](const PathState& state) { path_session.stepped(state); };
   const Stopwatch watch;
   const SolveOutcome outcome = solve_system(functions, solve, start, interruption.token(), &progress);
   progress.finish();
-  const Json statistics = statistics_json(outcome.search, watch);
+  path_session.finish(outcome.status != Status::budget_exhausted);
+  const Json statistics = statistics_json(outcome, watch);
   proof.close(settings.proof);
   const Json result = result_json(settings, problem, functions, solve.options, outcome, statistics);
-  if (!settings.pending.empty()) write_pending(settings.pending, hash, problem.system.box, outcome.search);
+  if (!settings.pending.empty() && !method.follows_path)
+    write_pending(settings.pending, hash, problem.system.box, outcome.search);
   if (settings.json == "-") {
     fmt::print("{}\n", result.dump(1));
   } else {
@@ -278,9 +326,10 @@ void add_solve_command(CLI::App& app, int& exit_code) {
                       "write what is left when the budget ends, for --resume");
   command->add_option("--resume", settings->resume, "go on from a file that --pending wrote");
   command->add_option("--figure", settings->figure,
-                      "draw all boxes of a search in two or three unknowns: FILE.svg or FILE.pdf");
+                      "draw the figures of a constraint system, or all boxes of a search in two or three "
+                      "unknowns: FILE.svg or FILE.pdf");
   command->add_option("--figure-variables", settings->figure_variables,
-                      "the two unknowns that the figure shows, such as x,z; by default the first two");
+                      "the two unknowns that a figure of boxes shows, such as x,z; by default the first two");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

@@ -7,6 +7,7 @@
 #include "base/content_hash.h"
 #include "base/nearest_name.h"
 #include "base/yaml_reader.h"
+#include "experiments/corpus/generated_figure.h"
 #include "experiments/corpus/generated_system.h"
 #include "expression/printer.h"
 #include "expression/system_formats.h"
@@ -172,6 +173,7 @@ void allow_keys(const YamlNode& file) {
   const std::vector<std::string> of_systems = {"variables", "equations", "generator", "inequalities", "box"};
   const std::vector<std::string>& others = is_constraint_system(file) ? constraint_system_keys() : of_systems;
   keys.insert(keys.end(), others.begin(), others.end());
+  if (is_constraint_system(file)) keys.insert(keys.end(), {"generator", "box"});
   file.allow_keys(keys);
 }
 
@@ -200,14 +202,30 @@ KnownFacts read_known_figures(const YamlNode& file, const GeometricSource& sourc
   return facts;
 }
 
+/// Intervals for some unknowns, which narrow the box that holds all solutions.
+void narrow_box(const YamlNode& node, EquationSystem& system) {
+  node.allow_keys(system.variables);
+  std::vector<std::string> names;
+  for (const auto& [name, interval] : node.entries()) names.push_back(name);
+  const Box given = read_box(node, names);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto variable = std::ranges::find(system.variables, names[k]) - system.variables.begin();
+    Interval& side = system.box[static_cast<std::size_t>(variable)];
+    side = intersection(side, given[k]);
+    if (is_empty(side)) node.at(names[k]).fail("leaves nothing: the constraints keep it elsewhere");
+  }
+}
+
 void read_geometry(const YamlNode& file, const std::string& valuation, Problem& problem) {
   auto source = std::make_shared<GeometricSource>();
-  source->system = read_constraint_system(file);
+  const auto generator = file.find("generator");
+  source->system = generator ? read_generated_figure(file, *generator) : read_constraint_system(file);
   const Valuation& chosen = source->system.valuation(valuation);
   source->valuation = chosen.name;
   source->frame = frame_of(source->system);
   source->equations = geometric_equations(source->system, source->frame);
   problem.system = equation_system(source->equations, source->system, source->frame, chosen);
+  if (const auto box = file.find("box")) narrow_box(*box, problem.system);
   problem.known = read_known_figures(file, *source);
   problem.geometry = std::move(source);
 }

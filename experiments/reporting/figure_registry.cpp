@@ -38,6 +38,10 @@ const Registry<FigureKind>& figure_kinds() {
                                                                 range_bars_kind(),
                                                                 series_kind(),
                                                                 drawing_kind(),
+                                                                figures_kind(),
+                                                                paths_kind(),
+                                                                deformation_kind(),
+                                                                distribution_kind(),
                                                                 performance_profile_kind(),
                                                                 ray_panels_kind(),
                                                             });

@@ -11,6 +11,10 @@ FigureKind boxes_kind();
 FigureKind range_bars_kind();
 FigureKind series_kind();
 FigureKind drawing_kind();
+FigureKind figures_kind();
+FigureKind paths_kind();
+FigureKind deformation_kind();
+FigureKind distribution_kind();
 FigureKind performance_profile_kind();
 FigureKind ray_panels_kind();
 

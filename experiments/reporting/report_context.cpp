@@ -65,7 +65,7 @@ std::vector<std::string> notes_on_references(const ReportContext& context, const
     const ReferenceTable& table = context.references.at(name.text);
     std::string note = "Not the same run: " + table.title + "; " + table.origin + ".";
     if (!table.notes.empty()) note += " " + table.notes;
-    notes.push_back(std::move(note));
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   }
   return notes;
 }

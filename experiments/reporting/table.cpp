@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -77,8 +78,10 @@ class TableBuilder {
     return cell;
   }
 
-  /// A median over some of the seeds only, or without proof, must say so.
+  /// A median over some of the seeds only, or without proof, must say so: job by job, or of many by numbers.
   void note_partial_groups(TableCell& cell, const RowPointers& rows) {
+    constexpr std::size_t kMostNamed = 8;
+    if (rows.size() > kMostNamed) return note_large_group(cell, rows);
     for (const Row* row : rows) {
       if (!row->has_result()) {
         add_mark(cell, fmt::format("without {} ({})", place_text(*row), outcome_text(*row)));
@@ -86,6 +89,19 @@ class TableBuilder {
         add_mark(cell, "partial: " + row->reason);
       }
     }
+  }
+
+  void note_large_group(TableCell& cell, const RowPointers& rows) {
+    std::map<std::string, std::size_t> missing;
+    std::size_t with_reason = 0;
+    for (const Row* row : rows) {
+      if (!row->has_result()) ++missing[outcome_word(*row)];
+      if (row->status == "partial" && !row->reason.empty()) ++with_reason;
+    }
+    for (const auto& [word, count] : missing)
+      add_mark(cell, fmt::format("without {} of {} jobs ({})", count, rows.size(), word));
+    if (with_reason > 0)
+      add_mark(cell, fmt::format("partial with a reason: {} of {} jobs", with_reason, rows.size()));
   }
 
   /// Fractions and short decimals as they stand in the row.

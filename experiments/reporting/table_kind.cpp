@@ -42,8 +42,9 @@ void check_values(const ReportItem& item, const TableKind& kind) {
 }  // namespace
 
 const Registry<TableKind>& table_kinds() {
-  static const Registry<TableKind> kinds("kind of table",
-                                         {cells_table_kind(), summary_table_kind(), against_table_kind()});
+  static const Registry<TableKind> kinds(
+      "kind of table", {cells_table_kind(), summary_table_kind(), against_table_kind(), counts_table_kind(),
+                        deviations_table_kind(), basins_table_kind()});
   return kinds;
 }
 

@@ -30,5 +30,8 @@ Options options_of(const ReportItem& item, const TableKind& kind);
 TableKind cells_table_kind();
 TableKind summary_table_kind();
 TableKind against_table_kind();
+TableKind counts_table_kind();
+TableKind deviations_table_kind();
+TableKind basins_table_kind();
 
 }  // namespace gcslab

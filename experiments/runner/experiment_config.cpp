@@ -1,6 +1,7 @@
 #include "experiments/runner/experiment_config.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
 #include <set>
 
@@ -137,13 +138,34 @@ std::vector<ParameterAxis> read_parameters(const YamlNode& node, const Task& tas
   return axes;
 }
 
+/// The seeds of an entry: a number, or "0..99" for all from the first to the last.
+std::vector<std::uint64_t> seeds_of(const YamlNode& entry) {
+  constexpr std::uint64_t kMost = 100'000;
+  const std::string text = entry.text();
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    if (entry.integer() < 0) entry.fail("is negative; a seed is 0 or more");
+    return {static_cast<std::uint64_t>(entry.integer())};
+  }
+  std::uint64_t first = 0, last = 0;
+  const char* const middle = text.data() + dots;
+  const char* const end = text.data() + text.size();
+  const bool is_read = std::from_chars(text.data(), middle, first).ptr == middle &&
+                       std::from_chars(middle + 2, end, last).ptr == end && dots > 0 && middle + 2 != end;
+  if (!is_read || last < first || last - first >= kMost)
+    entry.fail("is '" + text + "'; expected a seed, or a range such as 0..99");
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  return seeds;
+}
+
 std::vector<std::uint64_t> read_seeds(const YamlNode& node) {
   std::vector<std::uint64_t> seeds;
   for (const YamlNode& entry : one_or_more(node)) {
-    if (entry.integer() < 0) entry.fail("is negative; a seed is 0 or more");
-    const auto seed = static_cast<std::uint64_t>(entry.integer());
-    if (std::ranges::find(seeds, seed) != seeds.end()) entry.fail("is listed already");
-    seeds.push_back(seed);
+    for (const std::uint64_t seed : seeds_of(entry)) {
+      if (std::ranges::find(seeds, seed) != seeds.end()) entry.fail("is listed already");
+      seeds.push_back(seed);
+    }
   }
   return seeds;
 }

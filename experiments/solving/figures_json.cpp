@@ -10,25 +10,52 @@ void add_figures(Json& result, const GeometricSource& source, const SearchResult
     for (const Interval& side : solution.root.box) point.push_back(midpoint(side));
     const Figure figure = figure_at(source.equations, point);
     Json entry = Json::object();
-    for (std::size_t p = 0; p < figure.size(); ++p) entry[source.system.points[p]] = figure[p];
+    for (std::size_t p = 0; p < figure.size(); ++p) entry[source.system.objects[p].name] = figure[p];
     result["figures"].push_back(std::move(entry));
     boxes.push_back(figure_box(source.equations, solution.root.box));
   }
-  result["classes"] = congruence_classes(boxes);
+  result["classes"] = congruence_classes(source.equations.sorts, source.equations.universe, boxes);
 }
 
 void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
   result["paths"] = Json::array();
-  for (const auto& [path, solutions] : paths) {
+  for (const FollowedPath& followed : paths) {
+    const Path& path = followed.found.path;
     Json crossings = Json::array();
-    for (std::size_t k = 0; k < path.crossings.size(); ++k)
-      crossings.push_back({{"length", path.crossings[k].length}, {"solution", solutions[k]}});
+    for (std::size_t k = 0; k < path.crossings.size(); ++k) {
+      crossings.push_back(
+          {{"length", path.crossings[k].length}, {"solution", followed.found.solution_of_crossing[k]}});
+      if (path.crossings[k].is_touching) crossings.back()["touching"] = true;
+    }
+    Json critical = Json::array();
+    for (std::size_t k = 0; k < path.branch_points.size(); ++k) {
+      critical.push_back({{"length", path.branch_points[k].length},
+                          {"t", path.branch_points[k].v.back()},
+                          {"configuration", followed.explanation.branch_points[k]}});
+    }
     result["paths"].push_back({{"type", std::string(name_of(path.end))},
                                {"other_end", std::string(name_of(path.other_end))},
                                {"length", path.length},
                                {"steps", path.steps},
                                {"refused_steps", path.refused},
-                               {"crossings", std::move(crossings)}});
+                               {"precise_steps", path.precise_steps},
+                               {"restarts", path.restarts},
+                               {"crossings", std::move(crossings)},
+                               {"critical", std::move(critical)},
+                               {"configuration", followed.explanation.end},
+                               {"other_configuration", followed.explanation.other_end}});
+    if (path.tubes > 0) {
+      Json& entry = result["paths"].back();
+      entry["tubes"] = path.tubes;
+      entry["unproved_steps"] = path.unproved_steps;
+      entry["return_proved"] = path.is_return_proved;
+    }
+    for (std::size_t k = 0; k < followed.found.solutions.size(); ++k) {
+      const SketchSolution& solution = followed.found.solutions[k];
+      if (solution.root) continue;
+      result["solutions"][k]["jacobian_rank"] = solution.rank;
+      result["solutions"][k]["on_continuum"] = solution.is_on_continuum;
+    }
   }
 }
 

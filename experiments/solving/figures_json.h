@@ -12,7 +12,8 @@ namespace gcslab {
 /// numbers of solutions that are the same up to isometry.
 void add_figures(Json& result, const GeometricSource& source, const SearchResult& found);
 
-/// Adds "paths": how each ended, how long it is, and where on it which solution lies.
+/// Adds "paths": how each ended, how long it is, where on it which solution lies and where branches cross;
+/// and to each solution without a certificate the rank of its Jacobian, and whether others are beside it.
 void add_paths(Json& result, const std::vector<FollowedPath>& paths);
 
 }  // namespace gcslab

@@ -22,8 +22,10 @@ struct SolveMethod {
   Promise promise = Promise::rigorous;
   /// Where some options are baselines: the promise of the method with these. Empty: `promise`.
   std::function<Promise(const Options&)> promise_with{};
-  /// Empty, or why it writes no proof and cannot be resumed.
+  /// Empty, or what it does that is no search: it writes no proof, and cannot be resumed unless it follows a
+  /// path.
   std::string no_search{};
+  bool follows_path = false;
 };
 
 const Registry<SolveMethod>& solve_method_registry();
@@ -34,7 +36,8 @@ Status status_of(const SearchResult& found, Promise promise);
 // The methods that are no settings of the engine.
 SolveMethod univariate_method();
 SolveMethod angle_sum_method();
-SolveMethod sketch_path_method();
+std::vector<SolveMethod> sketch_path_methods();
+std::vector<SolveMethod> local_search_methods();
 std::vector<SolveMethod> peer_methods();
 
 }  // namespace gcslab

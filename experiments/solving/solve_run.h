@@ -10,7 +10,9 @@
 
 #include "box_solver/solver_method.h"
 #include "experiments/corpus/problem.h"
-#include "homotopy/path_tracker.h"
+#include "experiments/solving/traced_path.h"
+#include "homotopy/path_explanation.h"
+#include "homotopy/sketch_solver.h"
 
 namespace gcslab {
 
@@ -20,14 +22,18 @@ struct SolveSettings {
   int threads = 1;
   ProofLog* proof = nullptr;  ///< not for peers
   SearchRecord* record = nullptr;
-  const GeometricSource* geometry = nullptr;                   ///< of a constraint system
+  const GeometricSource* geometry = nullptr;   ///< of a constraint system
+  std::optional<std::uint64_t> sketch_seed{};  ///< draws a random sketch, where no option does
+  std::size_t traced_points = 0;               ///< of paths, at most; 0: no trace is kept
+  PathObserver path_observer{};                ///< of methods that follow paths: told each step
+  const PathState* path_from = nullptr;        ///< the same: to go on from there
   double memory_mb = std::numeric_limits<double>::infinity();  ///< of a peer's program
 };
 
-/// A path that was followed, with the number of the solution at each crossing.
 struct FollowedPath {
-  SketchPath path;
-  std::vector<std::size_t> solution_of_crossing;
+  SketchSolutions found;  ///< its solutions are those of the outcome, in order
+  PathExplanation explanation;
+  std::optional<TracedPath> trace{};
 };
 
 struct SolveOutcome {
@@ -35,7 +41,9 @@ struct SolveOutcome {
   Status status = Status::failed;
   std::string completeness = "none";  ///< or "proved"
   std::vector<FollowedPath> paths{};  ///< of methods that follow paths
-  std::string reason{};               ///< of a peer that failed, was stopped or is not there
+  /// Of a peer that failed, was stopped or is not there; of a local search, why it found nothing.
+  std::string reason{};
+  std::optional<std::uint64_t> steps{};  ///< of a path, or iterations of a local search
 };
 
 /// Searches the problem's box, or what `start` holds of it; a peer starts at the beginning.

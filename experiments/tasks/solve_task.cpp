@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "experiments/corpus/problem_loader.h"
+#include "experiments/solving/figure_picture.h"
 #include "experiments/solving/result_json.h"
 #include "experiments/solving/search_picture_json.h"
+#include "experiments/solving/sketch_source.h"
 #include "experiments/solving/solve_method.h"
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/packing_drawing.h"
@@ -31,6 +33,7 @@ void add_values(const Problem& problem, const SystemFunctions& functions, const 
   result.values["unknowns"] = functions.variables();
   result.values["undecided"] = found.search.undecided.size();
   if (found.status == Status::budget_exhausted) return;  // the counts would depend on the machine
+  if (found.steps) result.values["steps"] = *found.steps;
   result.values["boxes"] = found.search.statistics.boxes;
   result.values["bisections"] = found.search.statistics.bisections;
 }
@@ -41,6 +44,46 @@ void tell_recorded(const SearchRecord& record, JobResult& result) {
   for (const RecordedBox& box : record.boxes()) reductions += box.reductions;
   result.values["reductions"] = reductions;
   result.values["empty_boxes"] = std::ranges::count(record.boxes(), BoxFate::empty, &RecordedBox::fate);
+}
+
+void add_class_values(const FigurePicture& picture, JobResult& result) {
+  const auto is_regular = [](const PicturedFigure& figure) { return figure.is_certified; };
+  const auto regular = std::ranges::count_if(picture.figures, is_regular);
+  result.values["classes"] = picture.figures.size();
+  result.values["regular_classes"] = regular;
+  result.values["singular_classes"] = std::ssize(picture.figures) - regular;
+  result.values["flat_classes"] = std::ranges::count_if(
+      picture.figures, [](const PicturedFigure& figure) { return is_flat(figure.points); });
+}
+
+void add_path_values(const Path& path, JobResult& result) {
+  result.values["crossings"] = path.crossings.size();
+  result.values["path_type"] = std::string(name_of(path.end));
+  result.values["other_end"] = std::string(name_of(path.other_end));
+  result.values["refused_steps"] = path.refused;
+  result.values["restarts"] = path.restarts;
+  result.values["critical_points"] = path.branch_points.size();
+  if (path.tubes == 0) return;
+  result.values["tubes"] = path.tubes;
+  result.values["unproved_steps"] = path.unproved_steps;
+  result.values["return_proved"] = path.is_return_proved ? 1 : 0;
+}
+
+bool has_option(const Options& options, const std::string& name) { return options.values().contains(name); }
+
+/// What a constraint system's row shows: figures up to isometry, the sketch of methods that have one, and the
+/// path where it was traced.
+void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobResult& result) {
+  const GeometricSource& source = *settings.geometry;
+  FigurePicture picture = figure_picture(source, found.search);
+  add_class_values(picture, result);
+  if (has_option(settings.options, "random_sketch"))
+    picture.sketch = sketch_points(source, sketch_source(settings).sketch);
+  result.artifact = to_json(picture);
+  if (found.paths.empty()) return;
+  const FollowedPath& followed = found.paths.front();
+  add_path_values(followed.found.path, result);
+  if (followed.trace) result.artifact["path"] = to_json(*followed.trace);
 }
 
 }  // namespace
@@ -62,20 +105,43 @@ std::vector<OptionSpec> SolveTask::parameters() const {
       integer_option("recorded_boxes",
                      "boxes of a search in two or three unknowns that are kept for figures, in the order "
                      "taken; 0: none, and no time spent on it",
-                     "boxes", 0, 0, 100'000)};
+                     "boxes", 0, 0, 100'000),
+      integer_option("traced_points",
+                     "points of a path that are kept for figures, at most; 0: none, and no time spent on it",
+                     "points", 0, 0, 100'000),
+      choice_option(
+          "sketch",
+          "from which a method of constraint systems sets out, unless its option random_sketch says: "
+          "the problem's own, or a random one, drawn by the seed of the job",
+          "own", {"own", "random"})};
 }
 
 std::vector<ValueInfo> SolveTask::values() const {
-  return {{"solutions", "certified solutions, each alone in its box", "solutions"},
-          {"existing", "boxes proved to contain a solution, single or not", "boxes"},
-          {"unproved", "solutions that a program of others found, without certificate", "solutions"},
-          {"known_solutions", "solutions in the box that are known by other means", "solutions"},
-          {"unknowns", "variables of the system", "variables"},
-          {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
-          {"boxes", "boxes taken from the list", "boxes"},
-          {"bisections", "boxes cut in two", "boxes"},
-          {"reductions", "rounds of contraction that narrowed a box or emptied it, where all were recorded"},
-          {"empty_boxes", "boxes proved to have no root, where all were recorded", "boxes"}};
+  return {
+      {"solutions", "certified solutions, each alone in its box", "solutions"},
+      {"existing", "boxes proved to contain a solution, single or not", "boxes"},
+      {"unproved", "solutions that plain doubles found, here or elsewhere, without certificate", "solutions"},
+      {"known_solutions", "solutions in the box that are known by other means", "solutions"},
+      {"unknowns", "variables of the system", "variables"},
+      {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
+      {"boxes", "boxes taken from the list", "boxes"},
+      {"bisections", "boxes cut in two", "boxes"},
+      {"steps", "steps of a path, or iterations of a search from a sketch", "steps"},
+      {"classes", "figures found, up to isometry, of a constraint system", "figures"},
+      {"regular_classes", "classes with a certified solution", "figures"},
+      {"singular_classes", "classes without one, as on continua of solutions", "figures"},
+      {"flat_classes", "classes of space with all points in a plane", "figures"},
+      {"crossings", "of t = 1 by a path", "crossings"},
+      {"path_type", "how a path ended: cycle, to_infinity, to_undefined, budget"},
+      {"other_end", "the same of its other direction"},
+      {"refused_steps", "steps of a path that were tried in vain", "steps"},
+      {"restarts", "of a path with smaller steps, after jumps that were noticed", "restarts"},
+      {"critical_points", "points of a path at which branches cross", "points"},
+      {"tubes", "of the proof that a path stays on one curve", "tubes"},
+      {"unproved_steps", "across critical points, of which that proof says nothing", "steps"},
+      {"return_proved", "1: the tubes lead back to the sketch"},
+      {"reductions", "rounds of contraction that narrowed a box or emptied it, where all were recorded"},
+      {"empty_boxes", "boxes proved to have no root, where all were recorded", "boxes"}};
 }
 
 std::vector<std::string> SolveTask::problem_kinds() const { return system_kinds(); }
@@ -95,6 +161,8 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
       job.parameters.integer("recorded_boxes") > 0 && can_be_drawn(functions.system().box);
   if (is_recorded) settings.record = &record;
   settings.geometry = problem.geometry.get();
+  settings.traced_points = static_cast<std::size_t>(job.parameters.integer("traced_points"));
+  if (job.parameters.word("sketch") == "random") settings.sketch_seed = job.seed;
   JobResult result;
   result.timings["prepare_s"] = preparation.wall_s();
   const Stopwatch watch;
@@ -108,7 +176,11 @@ JobResult SolveTask::run(const Job& job, const std::stop_token& stop) const {
   if (found.status == Status::not_applicable || found.status == Status::failed) return result;
   add_values(problem, functions, found, result);
   if (found.status == Status::budget_exhausted) return result;
-  result.artifact = packing_drawing(problem.name, functions, found.search);
+  if (problem.geometry != nullptr) {
+    add_geometry(settings, found, result);
+  } else {
+    result.artifact = packing_drawing(problem.name, functions, found.search);
+  }
   if (is_recorded) {
     tell_recorded(record, result);
     result.artifact = to_json(search_picture(functions.system().box, record, found.search));

@@ -71,7 +71,9 @@ void KrawczykCertifier<T>::compute_residual(const Matrix<double>& inverse) {
     for (std::size_t k = 0; k < n; ++k) {
       if (inverse(i, k) == 0) continue;
       const T factor = number<T>(inverse(i, k));
-      for (std::size_t j = 0; j < n; ++j) residual_(i, j) = residual_(i, j) - factor * slopes_(k, j);
+      // The slopes by variables that do not occur are 0.
+      for (const std::size_t j : functions_->equations()[k].variables)
+        residual_(i, j) = residual_(i, j) - factor * slopes_(k, j);
     }
   }
 }

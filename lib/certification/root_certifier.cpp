@@ -220,31 +220,41 @@ class TestCertifier final : public RootCertifier {
   std::vector<Part> tests_;
 };
 
-/// What the first part cannot prove the next one may.
-class CertifierChain final : public RootCertifier {
+/// What the slopes cannot prove the tests may, which are made when they are first asked: second derivatives
+/// take longer to prepare than most roots to certify.
+template <class T>
+class SlopesThenTests final : public RootCertifier {
  public:
-  explicit CertifierChain(std::vector<std::unique_ptr<RootCertifier>> parts) : parts_(std::move(parts)) {}
+  SlopesThenTests(const SystemFunctions& functions, std::vector<std::string> names,
+                  std::vector<double> scales, int bits)
+      : functions_(&functions),
+        names_(std::move(names)),
+        scales_(std::move(scales)),
+        bits_(bits),
+        slopes_(functions, scales_, bits) {}
 
   std::optional<CertifiedRoot> certify(const ApproximateRoot& approximate, const Box& wanted) override {
-    return first([&](RootCertifier& part) { return part.certify(approximate, wanted); });
+    if (auto root = slopes_.certify(approximate, wanted)) return root;
+    return tests().certify(approximate, wanted);
   }
   std::optional<CertifiedRoot> certify_box(const Box& box) override {
-    return first([&](RootCertifier& part) { return part.certify_box(box); });
+    if (auto root = slopes_.certify_box(box)) return root;
+    return tests().certify_box(box);
   }
-  std::optional<Evidence> prove_existence(const Box& box) override {
-    return first([&](RootCertifier& part) { return part.prove_existence(box); });
-  }
+  std::optional<Evidence> prove_existence(const Box& box) override { return tests().prove_existence(box); }
 
  private:
-  template <class Ask>
-  std::invoke_result_t<Ask, RootCertifier&> first(const Ask& ask) {
-    for (const auto& part : parts_) {
-      if (auto found = ask(*part)) return found;
-    }
-    return std::nullopt;
+  TestCertifier<T>& tests() {
+    if (!tests_) tests_ = std::make_unique<TestCertifier<T>>(*functions_, names_, false, scales_, bits_);
+    return *tests_;
   }
 
-  std::vector<std::unique_ptr<RootCertifier>> parts_;
+  const SystemFunctions* functions_;
+  std::vector<std::string> names_;
+  std::vector<double> scales_;
+  int bits_;
+  SlopeCertifier<T> slopes_;
+  std::unique_ptr<TestCertifier<T>> tests_;
 };
 
 std::vector<std::string> names_in(const std::string& composition) {
@@ -266,13 +276,11 @@ std::vector<std::string> names_in(const std::string& composition) {
 template <class T>
 std::unique_ptr<RootCertifier> made(std::vector<std::string> names, const SystemFunctions& functions,
                                     const std::vector<double>& scales, int bits) {
-  std::vector<std::unique_ptr<RootCertifier>> parts;
   const bool is_alone = names.size() == 1;
-  if (std::erase(names, kSlopes) > 0)
-    parts.push_back(std::make_unique<SlopeCertifier<T>>(functions, scales, bits));
-  if (!names.empty())
-    parts.push_back(std::make_unique<TestCertifier<T>>(functions, names, is_alone, scales, bits));
-  return std::make_unique<CertifierChain>(std::move(parts));
+  const bool has_slopes = std::erase(names, kSlopes) > 0;
+  if (!has_slopes) return std::make_unique<TestCertifier<T>>(functions, names, is_alone, scales, bits);
+  if (is_alone) return std::make_unique<SlopeCertifier<T>>(functions, scales, bits);
+  return std::make_unique<SlopesThenTests<T>>(functions, std::move(names), scales, bits);
 }
 
 }  // namespace

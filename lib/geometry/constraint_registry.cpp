@@ -17,21 +17,54 @@ bool ConstraintKind::takes(Universe universe) const {
   return std::ranges::find(universes, universe) != universes.end();
 }
 
-const Registry<ConstraintKind>& constraint_registry() {
-  static const Registry<ConstraintKind> registry("constraint", {
-                                                                   distance_constraint(),
-                                                                   angle_constraint(),
-                                                                   area_constraint(),
-                                                                   volume_constraint(),
-                                                                   collinear_constraint(),
-                                                                   coplanar_constraint(),
-                                                                   parallel_constraint(),
-                                                                   perpendicular_constraint(),
-                                                                   equal_lengths_constraint(),
-                                                                   fixed_coordinate_constraint(0),
-                                                                   fixed_coordinate_constraint(1),
-                                                                   fixed_coordinate_constraint(2),
-                                                               });
+bool ConstraintKind::is_about_points() const {
+  return std::ranges::all_of(sorts, [](Sort sort) { return sort == Sort::point; });
+}
+
+ConstraintRegistry::ConstraintRegistry(const std::vector<std::vector<ConstraintKind>>& words) {
+  for (const std::vector<ConstraintKind>& word : words) {
+    for (const ConstraintKind& kind : word) {
+      GCSLAB_CHECK(kind.name == word.front().name && std::ranges::is_sorted(kind.sorts));
+      kinds_.push_back(kind);
+    }
+    GCSLAB_CHECK(std::ranges::find(names_, word.front().name) == names_.end());
+    names_.push_back(word.front().name);
+  }
+}
+
+std::vector<const ConstraintKind*> ConstraintRegistry::kinds(std::string_view name) const {
+  std::vector<const ConstraintKind*> result;
+  for (const ConstraintKind& kind : kinds_) {
+    if (kind.name == name) result.push_back(&kind);
+  }
+  return result;
+}
+
+const ConstraintKind& ConstraintRegistry::at(std::string_view name) const {
+  const auto found = std::ranges::find(kinds_, name, &ConstraintKind::name);
+  if (found == kinds_.end()) throw InputError(unknown_name_message("constraint", name, names_));
+  return *found;
+}
+
+const ConstraintRegistry& constraint_registry() {
+  static const ConstraintRegistry registry({
+      distance_constraints(),
+      angle_constraints(),
+      area_constraints(),
+      volume_constraints(),
+      radius_constraints(),
+      incidence_constraints(),
+      centre_constraints(),
+      tangent_constraints(),
+      collinear_constraints(),
+      coplanar_constraints(),
+      parallel_constraints(),
+      perpendicular_constraints(),
+      equal_lengths_constraints(),
+      fixed_coordinate_constraints(0),
+      fixed_coordinate_constraints(1),
+      fixed_coordinate_constraints(2),
+  });
   return registry;
 }
 

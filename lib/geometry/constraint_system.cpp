@@ -7,10 +7,20 @@
 
 namespace gcslab {
 
+std::size_t ConstraintSystem::points() const {
+  return static_cast<std::size_t>(std::ranges::count(objects, Sort::point, &NamedObject::sort));
+}
+
+std::vector<std::string> ConstraintSystem::names() const {
+  std::vector<std::string> result;
+  for (const NamedObject& object : objects) result.push_back(object.name);
+  return result;
+}
+
 std::string ConstraintSystem::describe(const Constraint& constraint) const {
   std::string text =
       fmt::format("constraint {}, {}", &constraint - constraints.data() + 1, constraint.kind->name);
-  for (const std::size_t point : constraint.points) text += " " + points[point];
+  for (const std::size_t object : constraint.objects) text += " " + objects[object].name;
   return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A figure described by what is true of it: points, constraints between them, and values of the parameters.
+// A figure described by what is true of it: objects, constraints between them, and values of the parameters.
 
 #include <cstdint>
 #include <map>
@@ -13,9 +13,14 @@
 
 namespace gcslab {
 
+struct NamedObject {
+  std::string name;
+  Sort sort;
+};
+
 struct Constraint {
   const ConstraintKind* kind;
-  std::vector<std::size_t> points;
+  std::vector<std::size_t> objects;      ///< of the sorts of the kind
   std::optional<std::size_t> parameter;  ///< number of the parameter, of metric kinds
   std::size_t interpretation = 0;        ///< number among those of the kind
 };
@@ -27,7 +32,7 @@ struct Valuation {
   std::vector<Expression> values;
 };
 
-/// Coordinates of all points: figure[p][i] is coordinate i of point p.
+/// Coordinates of all objects: figure[k][i] is coordinate i of object k, as sort.h lists them.
 using Figure = std::vector<std::vector<double>>;
 
 /// Where a figure is held: the first point is the origin, the second lies on the x axis, the third, in space,
@@ -36,7 +41,7 @@ using Frame = std::vector<std::size_t>;
 
 struct ConstraintSystem {
   Universe universe = Universe::space;
-  std::vector<std::string> points;
+  std::vector<NamedObject> objects;  ///< points first, the others in the order of their sorts
   std::vector<Constraint> constraints;
   std::vector<std::string> parameters;
   std::vector<Valuation> valuations;  ///< the first is the default; at least one
@@ -45,6 +50,10 @@ struct ConstraintSystem {
   std::optional<Figure> sketch;                ///< coordinates that the user gave
   std::optional<std::uint64_t> random_sketch;  ///< the seed of a random one
 
+  /// How many objects are points: objects 0, 1, ...
+  std::size_t points() const;
+  /// The names of all objects.
+  std::vector<std::string> names() const;
   /// "constraint 3, distance P0 P1".
   std::string describe(const Constraint& constraint) const;
   /// The valuation of that name; of the empty name, the default. Throws InputError with the nearest name.

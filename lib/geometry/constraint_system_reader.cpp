@@ -2,35 +2,42 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
-#include "expression/constant_enclosure.h"
 #include "expression/equation_system.h"
 #include "expression/parser.h"
+#include "geometry/object_reader.h"
+#include "geometry/valuation_reader.h"
 
 namespace gcslab {
 namespace {
 
-std::size_t point_named(const YamlNode& node, const ConstraintSystem& system) {
+std::size_t object_named(const YamlNode& node, const ConstraintSystem& system) {
   const std::string name = node.text();
-  const auto found = std::ranges::find(system.points, name);
-  if (found == system.points.end()) node.fail(unknown_name_message("point", name, system.points));
-  return static_cast<std::size_t>(found - system.points.begin());
+  const auto found = std::ranges::find(system.objects, name, &NamedObject::name);
+  const char* what = system.points() == system.objects.size() ? "point" : "object";
+  if (found == system.objects.end()) node.fail(unknown_name_message(what, name, system.names()));
+  return static_cast<std::size_t>(found - system.objects.begin());
 }
 
-/// With `in_pairs`, a point may come again in another pair.
-std::vector<std::size_t> points_named(const YamlNode& node, const ConstraintSystem& system,
-                                      bool in_pairs = false) {
+std::vector<std::size_t> objects_named(const YamlNode& node, const ConstraintSystem& system) {
   std::vector<std::size_t> result;
-  for (const YamlNode& item : node.items()) {
-    const std::size_t point = point_named(item, system);
-    const auto first =
-        in_pairs ? result.end() - static_cast<std::ptrdiff_t>(result.size() % 2) : result.begin();
-    if (std::find(first, result.end(), point) != result.end())
-      item.fail("names the point '" + system.points[point] + "' twice");
-    result.push_back(point);
-  }
+  for (const YamlNode& item : node.items()) result.push_back(object_named(item, system));
   return result;
+}
+
+/// With `in_pairs`, an object may come again in another pair.
+void refuse_repeated(const YamlNode& node, const std::vector<std::size_t>& objects,
+                     const ConstraintSystem& system, bool in_pairs = false) {
+  const std::vector<YamlNode> items = node.items();
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const auto last = objects.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto first = in_pairs ? last - static_cast<std::ptrdiff_t>(k % 2) : objects.begin();
+    if (std::find(first, last, objects[k]) == last) continue;
+    const auto& [name, sort] = system.objects[objects[k]];
+    items[k].fail("names the " + name_of(sort) + " '" + name + "' twice");
+  }
 }
 
 Universe read_universe(const YamlNode& node) {
@@ -39,19 +46,60 @@ Universe read_universe(const YamlNode& node) {
   return text == "2d" ? Universe::plane : Universe::space;
 }
 
-const ConstraintKind& kind_of(const YamlNode& item) {
+/// The names under the key of a sort.
+void read_objects(const YamlNode& problem, Sort sort, ConstraintSystem& system) {
+  const auto node = problem.find(name_of(sort) + "s");
+  if (!node) return;
+  if (!exists_in(sort, system.universe)) node->fail("are for universe: 3d; the universe here is the plane");
+  const std::vector<std::string> names = read_variables(*node);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto known = std::ranges::find(system.objects, names[k], &NamedObject::name);
+    if (known != system.objects.end())
+      node->items()[k].fail("names the " + name_of(known->sort) + " '" + names[k] + "' again");
+    system.objects.push_back({names[k], sort});
+  }
+}
+
+/// The one word of the item that is a constraint.
+std::string word_of(const YamlNode& item) {
   const std::vector<std::string> others = {"parameter", "interpretation"};
-  const ConstraintKind* kind = nullptr;
+  std::string word;
   for (const auto& [key, value] : item.entries()) {
     if (std::ranges::find(others, key) != others.end()) continue;
-    const ConstraintKind* found = constraint_registry().find(key);
-    if (found == nullptr) value.fail(unknown_name_message("constraint", key, constraint_registry().names()));
-    if (kind != nullptr) value.fail("is a second constraint, '" + key + "' beside '" + kind->name + "'");
-    kind = found;
+    if (constraint_registry().kinds(key).empty())
+      value.fail(unknown_name_message("constraint", key, constraint_registry().names()));
+    if (!word.empty()) value.fail("is a second constraint, '" + key + "' beside '" + word + "'");
+    word = key;
   }
-  if (kind == nullptr)
-    item.fail("is no constraint; expected for example {distance: [P0, P1], parameter: h0}");
-  return *kind;
+  if (word.empty()) item.fail("is no constraint; expected for example {distance: [P0, P1], parameter: h0}");
+  return word;
+}
+
+/// "constraint 3, distance P0 c", before its kind is known.
+std::string name_before_kind(const std::string& word, const std::vector<std::size_t>& objects,
+                             const ConstraintSystem& system) {
+  std::string text = fmt::format("constraint {}, {}", system.constraints.size() + 1, word);
+  for (const std::size_t object : objects) text += " " + system.objects[object].name;
+  return text;
+}
+
+/// The kind of that word which is about these objects, whose order becomes that of its sorts.
+const ConstraintKind& kind_for(const YamlNode& node, const std::string& word,
+                               std::vector<std::size_t>& objects, const ConstraintSystem& system) {
+  const auto sort_of = [&](std::size_t object) { return system.objects[object].sort; };
+  const std::string name = name_before_kind(word, objects, system);
+  std::ranges::stable_sort(objects, {}, sort_of);
+  std::vector<Sort> sorts;
+  for (const std::size_t object : objects) sorts.push_back(sort_of(object));
+  std::vector<std::string> takes;
+  for (const ConstraintKind* kind : constraint_registry().kinds(word)) {
+    const bool is_here = kind->takes(system.universe);
+    if (kind->sorts == sorts && !is_here) node.fail(name + ": is for the other universe");
+    if (kind->sorts == sorts) return *kind;
+    if (is_here) takes.push_back(fmt::format("{} ({})", text_of(kind->sorts), kind->summary));
+  }
+  if (takes.empty()) node.fail(name + ": is for the other universe");
+  node.fail(fmt::format("{}: takes {}; not {}", name, fmt::join(takes, ", or "), text_of(sorts)));
 }
 
 std::size_t read_interpretation(const YamlNode& item, const ConstraintKind& kind) {
@@ -77,15 +125,14 @@ std::size_t parameter_named(const YamlNode& node, ConstraintSystem& system) {
 }
 
 void read_constraint(const YamlNode& item, ConstraintSystem& system) {
-  Constraint constraint{&kind_of(item), {}, std::nullopt};
-  const ConstraintKind& kind = *constraint.kind;
-  const YamlNode points = item.at(kind.name);
-  constraint.points = points_named(points, system, kind.is_about_pairs);
-  system.constraints.push_back(constraint);
+  const std::string word = word_of(item);
+  const YamlNode node = item.at(word);
+  std::vector<std::size_t> objects = objects_named(node, system);
+  const std::vector<std::size_t> as_named = objects;
+  const ConstraintKind& kind = kind_for(node, word, objects, system);
+  refuse_repeated(node, as_named, system, kind.is_about_pairs);
+  system.constraints.push_back({&kind, std::move(objects), std::nullopt});
   const std::string name = system.describe(system.constraints.back());
-  if (!kind.takes(system.universe)) points.fail(name + ": is for the other universe");
-  if (constraint.points.size() != kind.points)
-    points.fail(fmt::format("{}: takes {} points ({})", name, kind.points, kind.summary));
   Constraint& added = system.constraints.back();
   added.interpretation = read_interpretation(item, kind);
   const auto parameter = item.find("parameter");
@@ -94,74 +141,18 @@ void read_constraint(const YamlNode& item, ConstraintSystem& system) {
   if (parameter) added.parameter = parameter_named(*parameter, system);
 }
 
-/// "1.3", "sqrt(2)", "30 deg".
-Expression value_of(const YamlNode& node, ExpressionGraph& graph) {
-  std::string text = node.text();
-  const std::string unit = "deg";
-  const bool is_in_degrees = text.size() > unit.size() && text.ends_with(unit);
-  if (is_in_degrees) text.resize(text.size() - unit.size());
-  try {
-    const Expression value = parse_expression(graph, text, {});
-    if (is_empty(constant_enclosure(value))) throw InputError("\"" + text + "\" is not defined");
-    return is_in_degrees ? value * graph.pi() / graph.constant(180) : value;
-  } catch (const InputError& error) {
-    throw InputError(node.where(), error.what());
-  }
-}
-
-void check_possible(const YamlNode& node, const ConstraintSystem& system, std::size_t parameter,
-                    Expression value) {
-  for (const Constraint& constraint : system.constraints) {
-    if (constraint.parameter != parameter) continue;
-    const Interval possible = constraint.kind->possible;
-    if (disjoint(constant_enclosure(value), possible)) {
-      node.fail(fmt::format("{}: {} = {} is impossible: {} lies between {:g} and {:g}",
-                            system.describe(constraint), system.parameters[parameter], node.text(),
-                            constraint.kind->summary, possible.lower, possible.upper));
-    }
-  }
-}
-
-void read_valuation(const std::string& name, const YamlNode& node, ConstraintSystem& system) {
-  node.allow_keys(system.parameters);
-  Valuation valuation{name, {}};
-  for (std::size_t p = 0; p < system.parameters.size(); ++p) {
-    const YamlNode value = node.at(system.parameters[p]);
-    valuation.values.push_back(value_of(value, *system.values_graph));
-    check_possible(value, system, p, valuation.values.back());
-  }
-  system.valuations.push_back(std::move(valuation));
-}
-
-std::vector<double> read_point(const YamlNode& node, Universe universe) {
-  std::vector<double> coordinates;
-  for (const YamlNode& item : node.items()) coordinates.push_back(item.real());
-  if (coordinates.size() != dimension(universe))
-    node.fail(fmt::format("has {} coordinates; expected {}", coordinates.size(), dimension(universe)));
-  return coordinates;
-}
-
-void read_sketch(const YamlNode& node, ConstraintSystem& system) {
-  if (const auto random = node.find("random")) {
-    node.allow_keys({"random"});
-    const std::int64_t seed = random->integer();
-    if (seed < 0) random->fail("is negative; a seed is a whole number from 0 on");
-    system.random_sketch = static_cast<std::uint64_t>(seed);
-    return;
-  }
-  node.allow_keys(system.points);
-  Figure figure;
-  for (const std::string& point : system.points)
-    figure.push_back(read_point(node.at(point), system.universe));
-  system.sketch = std::move(figure);
-}
-
 void read_frame(const YamlNode& node, ConstraintSystem& system) {
   if (node.is_scalar() && node.text() == "none") {
     system.frame = Frame();
     return;
   }
-  Frame frame = points_named(node, system);
+  Frame frame = objects_named(node, system);
+  for (std::size_t k = 0; k < frame.size(); ++k) {
+    const auto& [name, sort] = system.objects[frame[k]];
+    if (sort != Sort::point)
+      node.items()[k].fail("names the " + name_of(sort) + " '" + name + "'; a frame is of points");
+  }
+  refuse_repeated(node, frame, system);
   if (frame.size() != dimension(system.universe))
     node.fail(fmt::format("names {} points; expected {}: the origin, one on the x axis{}, or none",
                           frame.size(), dimension(system.universe),
@@ -172,20 +163,38 @@ void read_frame(const YamlNode& node, ConstraintSystem& system) {
 }  // namespace
 
 const std::vector<std::string>& constraint_system_keys() {
-  static const std::vector<std::string> keys = {"universe",   "points", "constraints",
-                                                "valuations", "sketch", "frame"};
+  static const std::vector<std::string> keys = {"universe", "points",      "lines",      "planes", "circles",
+                                                "spheres",  "constraints", "valuations", "sketch", "frame"};
   return keys;
+}
+
+void read_sketch(const YamlNode& node, ConstraintSystem& system) {
+  if (const auto random = node.find("random")) {
+    node.allow_keys({"random"});
+    const std::int64_t seed = random->integer();
+    if (seed < 0) random->fail("is negative; a seed is a whole number from 0 on");
+    system.random_sketch = static_cast<std::uint64_t>(seed);
+    system.sketch.reset();
+    return;
+  }
+  node.allow_keys(system.names());
+  Figure figure;
+  for (const auto& [name, sort] : system.objects)
+    figure.push_back(read_object(node.at(name), sort, system.universe));
+  system.sketch = std::move(figure);
 }
 
 ConstraintSystem read_constraint_system(const YamlNode& problem) {
   ConstraintSystem system;
   system.universe = read_universe(problem.at("universe"));
-  system.points = read_variables(problem.at("points"));
+  for (const Sort sort : all_sorts()) read_objects(problem, sort, system);
+  if (system.objects.empty()) problem.fail("names no object; expected for example points: [P0, P1]");
   const YamlNode constraints = problem.at("constraints");
   for (const YamlNode& item : constraints.items()) read_constraint(item, system);
   if (system.constraints.empty()) constraints.fail("lists no constraint");
   const YamlNode valuations = problem.at("valuations");
-  for (const auto& [name, value] : valuations.entries()) read_valuation(name, value, system);
+  for (const auto& [name, value] : valuations.entries())
+    system.valuations.push_back(read_valuation(name, value, system));
   if (system.valuations.empty()) valuations.fail("names no valuation");
   if (const auto sketch = problem.find("sketch")) read_sketch(*sketch, system);
   if (const auto frame = problem.find("frame")) read_frame(*frame, system);

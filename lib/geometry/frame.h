@@ -12,7 +12,7 @@
 namespace gcslab {
 
 struct FramedCoordinates {
-  std::vector<std::vector<bool>> is_zero;  ///< [point][axis]
+  std::vector<std::vector<bool>> is_zero;  ///< [point][axis], other objects have none
   std::vector<bool> is_absorbed;           ///< one a constraint
 };
 

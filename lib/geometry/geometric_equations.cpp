@@ -1,29 +1,27 @@
 #include "geometry/geometric_equations.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
-#include "expression/constant_enclosure.h"
 #include "expression/substitute.h"
+#include "geometry/reach.h"
 
 namespace gcslab {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 void name_coordinates(const ConstraintSystem& system, const FramedCoordinates& framed,
                       GeometricEquations& result) {
-  for (std::size_t p = 0; p < system.points.size(); ++p) {
-    result.points.emplace_back();
-    for (std::size_t axis = 0; axis < framed.is_zero[p].size(); ++axis) {
-      if (framed.is_zero[p][axis]) {
-        result.points[p].push_back(result.graph->constant(0));
+  for (std::size_t k = 0; k < system.objects.size(); ++k) {
+    const auto& [name, sort] = system.objects[k];
+    const std::vector<CoordinateName>& coordinates = coordinate_names(sort, system.universe);
+    result.sorts.push_back(sort);
+    result.objects.emplace_back();
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      if (sort == Sort::point && framed.is_zero[k][i]) {
+        result.objects[k].push_back(result.graph->constant(0));
         continue;
       }
-      result.points[p].push_back(result.graph->variable(static_cast<int>(result.unknowns.size())));
-      result.unknowns.push_back(system.points[p] + "_" + "xyz"[axis]);
+      result.objects[k].push_back(result.graph->variable(static_cast<int>(result.unknowns.size())));
+      result.unknowns.push_back(name + "_" + coordinates[i].suffix);
     }
   }
 }
@@ -44,30 +42,29 @@ std::vector<std::vector<Expression>> name_auxiliaries(const ConstraintSystem& sy
   return auxiliaries;
 }
 
-/// Upper bounds of the distances of all points from the first of the frame, along constraints (Dijkstra
-/// 1959).
-std::vector<double> reaches(const ConstraintSystem& system, const Frame& frame, const Valuation& valuation) {
-  std::vector<double> reach(system.points.size(), kInfinity);
-  if (frame.empty()) return reach;
-  reach[frame[0]] = 0;
-  std::vector<bool> is_done(reach.size(), false);
-  for (std::size_t round = 0; round < reach.size(); ++round) {
-    std::size_t nearest = reach.size();
-    for (std::size_t p = 0; p < reach.size(); ++p) {
-      if (!is_done[p] && (nearest == reach.size() || reach[p] < reach[nearest])) nearest = p;
-    }
-    is_done[nearest] = true;
-    for (const Constraint& constraint : system.constraints) {
-      if (constraint.kind->name != "distance") continue;
-      const double length = magnitude(constant_enclosure(valuation.values[*constraint.parameter]));
-      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        if (constraint.points[end] != nearest) continue;
-        double& other = reach[constraint.points[1 - end]];
-        other = std::min(other, std::nextafter(reach[nearest] + length, kInfinity));
-      }
-    }
+/// |n|^2 = 1, |u|^2 = 1 and u.m = 0.
+void add_normalisation(const ObjectParts<Expression>& object, GeometricEquations& result) {
+  const auto add = [&](const Expression& equation) {
+    result.equations.push_back(equation);
+    result.constraint_of_equation.emplace_back();
+  };
+  if (object.direction.empty()) return;
+  add(squared_norm(object.direction) - result.graph->constant(1));
+  const bool is_line_in_space = !object.position.empty() && !object.radius;
+  if (is_line_in_space) add(dot(object.direction, object.position));
+}
+
+Interval range_of(Role role, const Reach& reach) {
+  switch (role) {
+    case Role::direction:
+      return {-1, 1};
+    case Role::radius:
+      return {0, reach.radius};
+    case Role::position:
+    case Role::offset:
+      return {-reach.distance, reach.distance};
   }
-  return reach;
+  return Interval::entire();
 }
 
 }  // namespace
@@ -75,23 +72,28 @@ std::vector<double> reaches(const ConstraintSystem& system, const Frame& frame, 
 GeometricEquations geometric_equations(const ConstraintSystem& system, const Frame& frame) {
   const FramedCoordinates framed = framed_coordinates(system, frame);
   GeometricEquations result;
+  result.universe = system.universe;
   result.parameters = system.parameters;
   name_coordinates(system, framed, result);
+  std::vector<ObjectParts<Expression>> objects;
+  for (std::size_t k = 0; k < result.objects.size(); ++k)
+    objects.push_back(parts_of(result.sorts[k], result.universe, result.objects[k]));
   const auto auxiliaries = name_auxiliaries(system, framed, result);
   for (std::size_t c = 0; c < system.constraints.size(); ++c) {
     if (framed.is_absorbed[c]) continue;
     const Constraint& constraint = system.constraints[c];
     ConstraintPlace place{system.universe, {}, auxiliaries[c]};
-    for (const std::size_t p : constraint.points) place.points.push_back(result.points[p]);
+    for (const std::size_t k : constraint.objects) place.objects.push_back(objects[k]);
     std::optional<Expression> parameter;
     if (constraint.parameter)
       parameter = result.graph->variable(static_cast<int>(result.unknowns.size() + *constraint.parameter));
     const Interpretation& chosen = constraint.kind->interpretations[constraint.interpretation];
     for (const Expression& equation : chosen.equations(place, parameter)) {
       result.equations.push_back(equation);
-      result.constraint_of_equation.push_back(c);
+      result.constraint_of_equation.emplace_back(c);
     }
   }
+  for (const ObjectParts<Expression>& object : objects) add_normalisation(object, result);
   return result;
 }
 
@@ -114,10 +116,11 @@ EquationSystem equation_system(const GeometricEquations& equations, const Constr
     replacements.push_back(substitute(value, *result.graph, {}));
   for (const Expression& equation : equations.equations)
     result.equations.push_back(substitute(equation, *result.graph, replacements));
-  const std::vector<double> reach = reaches(system, frame, valuation);
-  for (std::size_t p = 0; p < equations.points.size(); ++p) {
-    for (const Expression& coordinate : equations.points[p]) {
-      if (!coordinate.is_constant()) result.box.emplace_back(-reach[p], reach[p]);
+  const std::vector<Reach> reaches = reaches_of(system, frame, valuation);
+  for (std::size_t k = 0; k < equations.objects.size(); ++k) {
+    const std::vector<CoordinateName>& names = coordinate_names(equations.sorts[k], equations.universe);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!equations.objects[k][i].is_constant()) result.box.push_back(range_of(names[i].role, reaches[k]));
     }
   }
   result.box.resize(equations.unknowns.size(), Interval::entire());
@@ -126,14 +129,14 @@ EquationSystem equation_system(const GeometricEquations& equations, const Constr
 
 namespace {
 
-/// The points with `value_of` number i for unknown i, and `zero` where the frame says 0.
+/// The objects with `value_of` number i for unknown i, and `zero` where the frame says 0.
 template <class Coordinate, class ValueOf>
 std::vector<std::vector<Coordinate>> filled(const GeometricEquations& equations, const Coordinate& zero,
                                             const ValueOf& value_of) {
   std::vector<std::vector<Coordinate>> figure;
-  for (const Vector& point : equations.points) {
+  for (const Vector& object : equations.objects) {
     figure.emplace_back();
-    for (const Expression& coordinate : point)
+    for (const Expression& coordinate : object)
       figure.back().push_back(
           coordinate.is_constant() ? zero : value_of(static_cast<std::size_t>(coordinate.variable())));
   }
@@ -148,9 +151,9 @@ Figure figure_at(const GeometricEquations& equations, std::span<const double> un
 
 std::vector<double> unknowns_of(const GeometricEquations& equations, const Figure& figure) {
   std::vector<double> result;
-  for (std::size_t p = 0; p < figure.size(); ++p) {
-    for (std::size_t axis = 0; axis < figure[p].size(); ++axis) {
-      if (!equations.points[p][axis].is_constant()) result.push_back(figure[p][axis]);
+  for (std::size_t k = 0; k < figure.size(); ++k) {
+    for (std::size_t i = 0; i < figure[k].size(); ++i) {
+      if (!equations.objects[k][i].is_constant()) result.push_back(figure[k][i]);
     }
   }
   result.resize(equations.unknowns.size(), 0.0);

@@ -16,12 +16,16 @@ namespace gcslab {
 
 struct GeometricEquations {
   std::shared_ptr<ExpressionGraph> graph = std::make_shared<ExpressionGraph>();
-  std::vector<std::string> unknowns;  ///< P3_x, ..., and s1, ... for auxiliary ones
+  Universe universe = Universe::space;
+  std::vector<std::string> unknowns;  ///< P3_x, ..., l_nx, l_d, ..., and s1, ... for auxiliary ones
   std::size_t auxiliaries = 0;        ///< how many of them, the last ones
   std::vector<std::string> parameters;
-  std::vector<Expression> equations;                ///< each is to vanish
-  std::vector<std::size_t> constraint_of_equation;  ///< number of the constraint
-  std::vector<Vector> points;                       ///< the coordinates of each, unknown or 0
+  std::vector<Expression> equations;  ///< each is to vanish
+  /// Number of the constraint; nothing for the last ones, by which directions have length 1 and the point of
+  /// a line in space is the one nearest to the origin.
+  std::vector<std::optional<std::size_t>> constraint_of_equation;
+  std::vector<Sort> sorts;      ///< of the objects
+  std::vector<Vector> objects;  ///< the coordinates of each, unknown or 0
 };
 
 GeometricEquations geometric_equations(const ConstraintSystem& system, const Frame& frame);
@@ -29,8 +33,9 @@ GeometricEquations geometric_equations(const ConstraintSystem& system, const Fra
 /// "12 unknowns, 12 equations: well-constrained, as far as counting tells", or by how much it is not.
 std::string balance_text(const GeometricEquations& equations);
 
-/// The equations for the values of a valuation, in a box that contains every solution: coordinates are
-/// bounded where distances tie a point to the origin of the frame, and unbounded elsewhere.
+/// The equations for the values of a valuation, in a box that contains every solution: directions are in [-1,
+/// 1], radii not negative, other coordinates bounded where constraints tie an object to the origin of the
+/// frame (reach.h), and unbounded elsewhere.
 EquationSystem equation_system(const GeometricEquations& equations, const ConstraintSystem& system,
                                const Frame& frame, const Valuation& valuation);
 

@@ -5,53 +5,23 @@
 
 #include "base/random.h"
 #include "expression/tape_evaluator.h"
+#include "geometry/numeric_vector.h"
 
 namespace gcslab {
 namespace {
 
-using Numbers = std::vector<double>;
-
 /// A frame's points nearer to a line than this part of their distances leave no direction to tell.
 constexpr double kFlat = 1e-9;
 
-double dot(const Numbers& a, const Numbers& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-Numbers difference(const Numbers& a, const Numbers& b) {
-  Numbers result;
-  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] - b[i]);
-  return result;
-}
-
-/// The part of `a` that is orthogonal to the axes, with length 1; empty when that is too little of it.
-Numbers next_axis(Numbers a, const std::vector<Numbers>& axes) {
-  const double length = std::sqrt(dot(a, a));
-  for (int pass = 0; pass < 2; ++pass) {
-    for (const Numbers& axis : axes) {
-      const double part = dot(a, axis);
-      for (std::size_t i = 0; i < a.size(); ++i) a[i] -= part * axis[i];
-    }
-  }
-  const double left = std::sqrt(dot(a, a));
-  if (!(left > kFlat * length)) return {};
-  for (double& x : a) x /= left;
-  return a;
-}
-
-}  // namespace
-
-Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
-  if (frame.empty()) return figure;
+/// Orthonormal axes through the points of the frame, the first of which is the origin.
+std::vector<Numbers> axes_of(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
   const Numbers& origin = figure[frame[0]];
   std::vector<Numbers> axes;
   for (std::size_t k = 1; k < frame.size(); ++k) {
-    axes.push_back(next_axis(difference(figure[frame[k]], origin), axes));
+    axes.push_back(next_axis(difference(figure[frame[k]], origin), axes, kFlat));
     if (!axes.back().empty()) continue;
     std::string names;
-    for (const std::size_t point : frame) names += " " + system.points[point];
+    for (const std::size_t point : frame) names += " " + system.objects[point].name;
     throw InputError("the sketch has the points of the frame," + names +
                      (axes.size() == 1 ? ", at one place" : ", on a line") +
                      "; draw them apart, or choose another frame");
@@ -61,12 +31,85 @@ Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure
     const Numbers &x = axes[0], &y = axes[1];
     axes.push_back({x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]});
   }
-  Figure result;
-  for (const Numbers& point : figure) {
-    const Numbers offset = difference(point, origin);
-    result.emplace_back();
-    for (const Numbers& axis : axes) result.back().push_back(dot(offset, axis));
+  return axes;
+}
+
+Numbers turned(const Numbers& vector, const std::vector<Numbers>& axes) {
+  Numbers result;
+  for (const Numbers& axis : axes) result.push_back(dot(vector, axis));
+  return result;
+}
+
+/// The object in the coordinates of these axes at that origin.
+Numbers moved(Sort sort, Universe universe, const Numbers& object, const Numbers& origin,
+              const std::vector<Numbers>& axes) {
+  ObjectParts<double> parts = parts_of(sort, universe, object);
+  if (parts.offset) *parts.offset -= dot(parts.direction, origin);
+  if (!parts.position.empty()) parts.position = turned(difference(parts.position, origin), axes);
+  if (!parts.direction.empty()) parts.direction = turned(parts.direction, axes);
+  if (sort == Sort::line && !parts.position.empty())
+    parts.position = nearest_to_origin(parts.position, parts.direction);
+  return joined(parts);
+}
+
+Numbers random_direction(Random& random, std::size_t size) {
+  constexpr double kShortest = 0.1;
+  while (true) {
+    Numbers direction(size);
+    for (double& x : direction) x = random.uniform(-1, 1);
+    if (dot(direction, direction) >= kShortest * kShortest) return next_axis(direction, {}, 0);
   }
+}
+
+Numbers random_object(Sort sort, Universe universe, Random& random) {
+  ObjectParts<double> parts = parts_of(sort, universe, Numbers(coordinate_names(sort, universe).size(), 0.0));
+  Numbers place(dimension(universe));
+  for (double& x : place) x = random.uniform(-1, 1);
+  if (!parts.direction.empty()) parts.direction = random_direction(random, place.size());
+  if (parts.offset) parts.offset = dot(parts.direction, place);
+  if (parts.radius) parts.radius = random.unit();
+  if (!parts.position.empty())
+    parts.position = sort == Sort::line ? nearest_to_origin(place, parts.direction) : place;
+  return joined(parts);
+}
+
+Numbers scaled(Sort sort, Universe universe, const Numbers& object, double factor) {
+  ObjectParts<double> parts = parts_of(sort, universe, object);
+  for (double& x : parts.position) x *= factor;
+  if (parts.offset) *parts.offset *= factor;
+  if (parts.radius) *parts.radius *= factor;
+  return joined(parts);
+}
+
+/// By how much the figure's distances of points that constraints name are too small, on the whole.
+double wanted_size(const ConstraintSystem& system, const Figure& figure) {
+  if (system.valuations.empty()) return 1;
+  const std::vector<double> values = values_of(system.valuations.front());
+  double wanted = 0, drawn = 0;
+  for (const Constraint& constraint : system.constraints) {
+    if (constraint.kind->name != "distance" || !constraint.kind->is_about_points()) continue;
+    const Numbers side = difference(figure[constraint.objects[0]], figure[constraint.objects[1]]);
+    wanted += values[*constraint.parameter] * values[*constraint.parameter];
+    drawn += dot(side, side);
+  }
+  return wanted > 0 && drawn > 0 ? std::sqrt(wanted / drawn) : 1;
+}
+
+}  // namespace
+
+std::vector<double> nearest_to_origin(std::vector<double> point, const std::vector<double>& direction) {
+  const double along = dot(point, direction);
+  for (std::size_t i = 0; i < point.size(); ++i) point[i] -= along * direction[i];
+  return point;
+}
+
+Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
+  if (frame.empty()) return figure;
+  const Numbers& origin = figure[frame[0]];
+  const std::vector<Numbers> axes = axes_of(system, frame, figure);
+  Figure result;
+  for (std::size_t k = 0; k < figure.size(); ++k)
+    result.push_back(moved(system.objects[k].sort, system.universe, figure[k], origin, axes));
   for (std::size_t k = 0; k < frame.size(); ++k) {
     for (std::size_t axis = k; axis < origin.size(); ++axis) result[frame[k]][axis] = 0;
   }
@@ -81,12 +124,13 @@ std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& 
     ExpressionGraph graph;
     ConstraintPlace place{system.universe, {}};
     Numbers coordinates;
-    for (const std::size_t p : constraint.points) {
-      place.points.emplace_back();
-      for (const double x : figure[p]) {
-        place.points.back().push_back(graph.variable(static_cast<int>(coordinates.size())));
+    for (const std::size_t k : constraint.objects) {
+      Vector variables;
+      for (const double x : figure[k]) {
+        variables.push_back(graph.variable(static_cast<int>(coordinates.size())));
         coordinates.push_back(x);
       }
+      place.objects.push_back(parts_of(system.objects[k].sort, system.universe, variables));
     }
     const Tape tape(constraint.kind->measure(place), static_cast<int>(coordinates.size()));
     TapeEvaluator<double> evaluator(tape);
@@ -113,10 +157,12 @@ std::vector<double> values_of(const Valuation& valuation) {
 std::optional<Figure> sketch_of(const ConstraintSystem& system) {
   if (system.sketch || !system.random_sketch) return system.sketch;
   Random random(*system.random_sketch, "sketch");
-  Figure figure(system.points.size(), Numbers(dimension(system.universe)));
-  for (Numbers& point : figure) {
-    for (double& x : point) x = random.uniform(-1, 1);
-  }
+  Figure figure;
+  for (const NamedObject& object : system.objects)
+    figure.push_back(random_object(object.sort, system.universe, random));
+  const double size = wanted_size(system, figure);
+  for (std::size_t k = 0; k < figure.size(); ++k)
+    figure[k] = scaled(system.objects[k].sort, system.universe, figure[k], size);
   return figure;
 }
 

@@ -6,6 +6,9 @@
 
 namespace gcslab {
 
+/// The point nearest to the origin of the line through a point along a direction of length 1.
+std::vector<double> nearest_to_origin(std::vector<double> point, const std::vector<double>& direction);
+
 /// The figure moved rigidly so that the frame's points have their zero coordinates, the second one x >= 0,
 /// the third one y >= 0. Throws InputError when the frame's points are on a line (in the plane: are one
 /// point).
@@ -18,7 +21,10 @@ std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& 
 /// The parameters of a valuation, rounded.
 std::vector<double> values_of(const Valuation& valuation);
 
-/// The user's sketch, or a random one with coordinates uniform in [-1, 1]; nothing when there is none.
+/// The user's sketch, or a random one; nothing when there is none. Random points, centres, and points of
+/// lines and planes have coordinates uniform in a cube around 0, radii are uniform in [0, half its side]; the
+/// size is the one that makes the squares of the distances of points that constraints name add up to what is
+/// wanted in the first valuation.
 std::optional<Figure> sketch_of(const ConstraintSystem& system);
 
 }  // namespace gcslab

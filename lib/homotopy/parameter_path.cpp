@@ -19,6 +19,14 @@ class LinearPath : public ParameterPath {
     }
   }
 
+  void over(const FastInterval& t, std::span<FastInterval> values,
+            std::span<FastInterval> derivatives) const override {
+    for (std::size_t p = 0; p < sketch_.size(); ++p) {
+      derivatives[p] = FastInterval(wanted_[p]) - FastInterval(sketch_[p]);
+      values[p] = FastInterval(sketch_[p]) + t * derivatives[p];
+    }
+  }
+
  protected:
   std::vector<double> sketch_, wanted_;
 };
@@ -34,6 +42,13 @@ class CompactSupportPath final : public LinearPath {
     LinearPath::at(t, values, derivatives);
     values[parameter_] += t * (1 - t);
     derivatives[parameter_] += 1 - 2 * t;
+  }
+
+  void over(const FastInterval& t, std::span<FastInterval> values,
+            std::span<FastInterval> derivatives) const override {
+    LinearPath::over(t, values, derivatives);
+    values[parameter_] = values[parameter_] + t * (FastInterval(1) - t);
+    derivatives[parameter_] = derivatives[parameter_] + FastInterval(1) - FastInterval(2) * t;
   }
 
  private:

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "interval/fast_interval.h"
+
 namespace gcslab {
 
 class ParameterPath {
@@ -14,6 +16,10 @@ class ParameterPath {
   virtual ~ParameterPath() = default;
   /// The parameters at t, a real number, and their derivatives by t.
   virtual void at(double t, std::span<double> values, std::span<double> derivatives) const = 0;
+  /// The same over an interval, outward rounded: the path is a polynomial with the doubles that made it as
+  /// coefficients. Inside a scope of FastInterval.
+  virtual void over(const FastInterval& t, std::span<FastInterval> values,
+                    std::span<FastInterval> derivatives) const = 0;
 };
 
 /// (1 - t) sketch + t wanted.

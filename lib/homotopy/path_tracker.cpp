@@ -1,295 +1,331 @@
 #include "homotopy/path_tracker.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/error.h"
-#include "homotopy/bordered_matrix.h"
+#include "homotopy/critical_point.h"
+#include "homotopy/level_crossing.h"
+#include "homotopy/path_certifier.h"
+#include "homotopy/predictor.h"
 
 namespace gcslab {
 namespace {
 
-using Point = std::vector<double>;
+/// The curve was left, or a fixed step is too long: thrown to start again with smaller steps.
+struct Jump {
+  Path path;  ///< so far
+};
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+/// A kernel vector of the Jacobian at a point.
+std::vector<double> direction_of_kernel(Curve& curve, const std::vector<double>& v) {
+  const auto m = static_cast<Eigen::Index>(curve.size());
+  std::vector<double> values(curve.size());
+  Matrix<double> jacobian(curve.size(), curve.size() + 1);
+  curve.jacobian(v, values, jacobian);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Map<const RowMajor>(jacobian.data(), m, m + 1),
+                                              Eigen::ComputeFullV);
+  const Eigen::VectorXd last = svd.matrixV().col(m);
+  return {last.data(), last.data() + last.size()};
 }
 
-double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
-
-double largest(std::span<const double> a) {
-  double result = 0;
-  for (const double x : a) result = std::max(result, std::abs(x));
+CurvePoint starting_point(Curve& curve, const std::vector<double>& start) {
+  CurvePoint result{start, {}};
+  std::vector<double> values(curve.size());
+  Matrix<double> jacobian(curve.size(), curve.size() + 1);
+  if (!curve.jacobian(start, values, jacobian))
+    throw NotApplicable("the sketch has points at which the equations are undefined");
+  TangentSolver tangents(curve);
+  std::vector<double> border(start.size(), 0.0);
+  border.back() = 1;
+  if (!tangents.find(result, border) && !tangents.find(result, direction_of_kernel(curve, start)))
+    throw NotApplicable(
+        "the sketch is singular: its constraints depend on each other there, draw it otherwise");
   return result;
 }
 
-/// A cubic on [0, 1] by its ends and its derivatives there.
-struct Cubic {
-  double start, start_slope, end, end_slope;
-
-  double at(double u) const {
-    const double w = 1 - u;
-    return w * w * (1 + 2 * u) * start + u * w * w * start_slope + u * u * (3 - 2 * u) * end -
-           u * u * w * end_slope;
-  }
-  double slope(double u) const {
-    const double w = 1 - u;
-    return 6 * u * w * (end - start) + w * (w - 2 * u) * start_slope + u * (u - 2 * w) * end_slope;
-  }
-};
-
-/// A point of the curve with its unit tangent and, once factorised, (J; border) there.
-struct CurvePoint {
-  Point v;
-  Point tangent;
-};
-
 class Tracker {
  public:
-  Tracker(Homotopy& homotopy, std::span<const double> sketch, const TrackerOptions& options,
-          const std::stop_token& stop)
-      : homotopy_(&homotopy),
+  Tracker(Curve& curve, const std::vector<double>& start, const TrackerOptions& options,
+          const std::stop_token& stop, const PathAids& aids)
+      : curve_(&curve),
         options_(&options),
         stop_(stop),
-        m_(homotopy.size()),
-        sketch_(sketch.begin(), sketch.end()),
-        values_(m_),
-        zero_(m_, 0.0),
-        change_(m_ + 1),
-        jacobian_(m_, m_ + 1) {
-    size_ = std::max(norm(sketch_), 1e-300);
-  }
+        aids_(&aids),
+        certifier_(aids.certifier),
+        predictor_(predictor_registry().at(options.predictor).make(curve)),
+        corrector_(curve, options.corrector),
+        precise_corrector_(aids.precise == nullptr ? curve : *aids.precise, {CorrectorKind::newton, 1e-13}),
+        at_here_(curve),
+        at_next_(curve),
+        start_(starting_point(curve, start)) {}
 
-  SketchPath follow() {
-    start_ = starting_point();
-    path_.end = path_.other_end = run(1);
-    if (path_.end == PathEnd::cycle || path_.steps >= options_->maximum_steps || stop_.stop_requested())
-      return std::move(path_);
-    path_.other_end = run(-1);
-    return std::move(path_);
+  Path follow(const PathState* from) {
+    if (from != nullptr) {
+      state_ = *from;
+      if (!at_here_.find(state_.here, std::vector(state_.here.tangent)))
+        throw NotApplicable("the state to go on from is on no path of this problem");
+    } else {
+      set_out(1);
+    }
+    if (state_.direction > 0) {
+      const PathEnd end = run();
+      Path& path = state_.path;
+      path.end = path.other_end = end;
+      path.last = path.other_last = end == PathEnd::cycle ? start_.v : state_.here.v;
+      if (end == PathEnd::cycle || end == PathEnd::budget) return std::move(path);
+      set_out(-1);
+    }
+    state_.path.other_end = run();
+    state_.path.other_last = state_.here.v;
+    return std::move(state_.path);
   }
 
  private:
-  enum class Correction { done, failed, undefined };
-
-  CurvePoint starting_point() {
-    CurvePoint start{sketch_, Point(m_ + 1, 0.0)};
-    start.v.push_back(0);
-    if (!homotopy_->jacobian(start.v, values_, jacobian_))
-      throw NotApplicable("the sketch has points at which the equations are undefined");
-    Point border(m_ + 1, 0.0);
-    border[m_] = 1;
-    if (!matrix_.factorise(jacobian_, border) && !matrix_.factorise(jacobian_, direction_of_kernel()))
-      throw NotApplicable(
-          "the sketch is singular: its constraints depend on each other there, draw it otherwise");
-    matrix_.solve(zero_, 1, start.tangent);
-    scale(start.tangent, 1 / norm(start.tangent));
-    return start;
+  void set_out(int direction) {
+    state_.direction = direction;
+    state_.here = start_;
+    if (direction < 0) {
+      for (double& x : state_.here.tangent) x = -x;
+    }
+    const std::vector<double> border = state_.here.tangent;
+    at_here_.find(state_.here, border);
+    state_.before.reset();
+    state_.step = options_->first_step;
+    state_.length = 0;
+    state_.landmark = state_.here;
+    state_.steps_to_next_landmark = 1;
+    if (certifier_ != nullptr && !certifier_->begin(state_.here))
+      throw NotApplicable("nothing can be proved at the sketch: it is nearly singular");
   }
 
-  /// Of the kernel of the Jacobian, by its smallest singular vector.
-  Point direction_of_kernel() const {
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const auto rows = static_cast<Eigen::Index>(m_);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Map<const RowMajor>(jacobian_.data(), rows, rows + 1),
-                                                Eigen::ComputeFullV);
-    const Eigen::VectorXd last = svd.matrixV().col(rows);
-    return {last.data(), last.data() + last.size()};
-  }
-
-  static void scale(Point& a, double factor) {
-    for (double& x : a) x *= factor;
-  }
-
-  PathEnd run(int direction) {
-    direction_ = direction;
-    length_ = 0;
-    CurvePoint here = start_;
-    if (direction < 0) scale(here.tangent, -1);
-    previous_.reset();
-    if (!factorise_at(here.v, here.tangent)) return given_up();
-    double step = options_->first_step;
-    while (path_.steps < options_->maximum_steps && !stop_.stop_requested()) {
-      predict(here, step);
-      const std::optional<CurvePoint> next = corrected(here, step);
-      if (!next || misses_a_crossing(here, *next)) {
-        ++path_.refused;
-        step /= 2;
-        if (step < options_->least_step) return given_up();
-        if (!factorise_at(here.v, here.tangent)) return given_up();
+  PathEnd run() {
+    const Path& path = state_.path;
+    while (path.steps < options_->maximum_steps && !stop_.stop_requested()) {
+      if (!attempt() && !(options_->step_control == StepControl::fixed && steps_across_a_level())) {
+        ++state_.path.refused;
+        if (options_->step_control == StepControl::fixed) throw Jump{std::move(state_.path)};
+        state_.step /= 2;
+        if (state_.step < kSmallStep && !is_exact_) improve_here();
+        if (state_.step < options_->least_step) return is_defined_ ? PathEnd::stuck : PathEnd::to_undefined;
         continue;
       }
-      ++path_.steps;
-      const double travelled = distance(here.v, next->v);
-      note_crossing(here, *next, travelled);
-      length_ += travelled;
-      path_.length += travelled;
-      if (has_returned(here, *next)) return PathEnd::cycle;
-      if (norm(next->v) > options_->infinity * size_) return PathEnd::to_infinity;
-      previous_ = Previous{here, travelled};
-      here = *next;
-      step = std::min(step * growth_, options_->largest_step);
+      const std::optional<PathEnd> end = accept();
+      if (aids_->observer) aids_->observer(state_);
+      if (end) return *end;
     }
     return PathEnd::budget;
   }
 
-  static double distance(const Point& a, const Point& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum);
+  /// Where only small steps succeed, as near points at which the equations are not smooth, the usual
+  /// tolerance is too wide, and doubles may have too few digits: moves the current point to the curve as
+  /// exactly as doubles can say.
+  void improve_here() {
+    is_exact_ = true;
+    std::vector<double> v = state_.here.v;
+    if (precise_corrector_.correct(state_.here, at_here_.matrix(), 1, v).end != Correction::End::done) return;
+    CurvePoint better{std::move(v), {}};
+    if (at_here_.find(better, std::vector(state_.here.tangent))) state_.here = std::move(better);
   }
 
-  /// Why no step succeeds.
-  PathEnd given_up() const { return is_defined_ ? PathEnd::budget : PathEnd::to_undefined; }
-
-  bool factorise_at(const Point& v, const Point& border) {
-    is_defined_ = homotopy_->jacobian(v, values_, jacobian_);
-    return is_defined_ && matrix_.factorise(jacobian_, border);
+  /// Finds the next point; false where the step was too long.
+  bool attempt() {
+    is_turn_ = false;
+    const CurvePoint& here = state_.here;
+    const CurvePoint* before = state_.before ? &*state_.before : nullptr;
+    is_defined_ = predictor_->predict(here, before, state_.step, next_.v);
+    if (!is_defined_) return false;
+    const bool is_precise = aids_->precise != nullptr && state_.step < kSmallStep;
+    if (is_precise) ++state_.path.precise_steps;
+    Corrector& corrector = is_precise ? precise_corrector_ : corrector_;
+    const Correction correction = corrector.correct(here, at_here_.matrix(), state_.step, next_.v);
+    is_defined_ = correction.end != Correction::End::undefined;
+    if (correction.end != Correction::End::done) return false;
+    is_defined_ = at_next_.find(next_, here.tangent);
+    if (!is_defined_) return false;
+    if (options_->step_control == StepControl::fixed) return true;
+    const double cosine = dot(next_.tangent, here.tangent);
+    if (correction.first > kLargestDeviation * state_.step || !(cosine > std::cos(options_->largest_turn)))
+      return false;
+    if (crosses_twice(1, here, next_)) return false;
+    if (turns_near(1, here, next_) && !ends_at_turning_point()) return false;
+    if (next_.orientation != here.orientation && !passes_a_branch_point()) return false;
+    if (certifier_ != nullptr && !is_proved_or_a_leap()) return false;
+    set_growth(correction, std::acos(std::min(cosine, 1.0)));
+    return true;
   }
 
-  void predict(const CurvePoint& here, double step) {
-    predicted_.resize(m_ + 1);
-    for (std::size_t i = 0; i <= m_; ++i) {
-      predicted_[i] = here.v[i] + step * here.tangent[i];
-      if (!previous_) continue;
-      const double span = previous_->length;
-      const Cubic cubic{previous_->point.v[i], span * previous_->point.tangent[i], here.v[i],
-                        span * here.tangent[i]};
-      predicted_[i] = cubic.at(1 + step / span);
+  /// A step to t a little beyond 0 or 1, where critical points are, when they are near: rules (i) and (ii) of
+  /// Imbach 2013, section 3.2.
+  bool steps_across_a_level() {
+    constexpr double kBeyond = 1e-3;
+    const CurvePoint& here = state_.here;
+    const double t = here.v.back(), speed = here.tangent.back();
+    const double predicted = t + state_.step * speed;
+    for (const double level : {0.0, 1.0}) {
+      const bool is_near = (t - level) * (predicted - level) <= 0 || std::abs(predicted - level) <= kBeyond;
+      const double target = level + (speed > 0 ? kBeyond : -kBeyond);
+      const double step = (target - t) / speed;
+      if (!is_near || !(step > 0)) continue;
+      next_.v = here.v;
+      for (std::size_t i = 0; i < next_.v.size(); ++i) next_.v[i] += step * here.tangent[i];
+      next_.v.back() = target;
+      if (solve_at_level(*curve_, next_.v) && at_next_.find(next_, here.tangent)) return true;
     }
+    return false;
   }
 
-  /// The curve's point in the hyperplane through the prediction, with its tangent; sets the growth of the
-  /// next step. Nothing where the step was too large.
-  std::optional<CurvePoint> corrected(const CurvePoint& here, double step) {
-    constexpr int kCorrections = 8;
-    constexpr double kLargestRate = 0.5;
-    constexpr double kAimedRate = 0.2;
-    CurvePoint next{predicted_, Point(m_ + 1)};
-    double before = 0, first = 0, rate = 0;
-    bool is_done = false;
-    for (int k = 0; k < kCorrections && !is_done; ++k) {
-      is_defined_ = homotopy_->values(next.v, values_);
-      if (!is_defined_) return std::nullopt;
-      matrix_.solve(values_, 0, change_);
-      const double change = norm(change_);
-      if (k == 0) first = change;
-      if (k > 0) rate = std::max(rate, change / before);
-      if (!std::isfinite(change) || rate > kLargestRate || first > 0.25 * step) return std::nullopt;
-      for (std::size_t i = 0; i <= m_; ++i) next.v[i] -= change_[i];
-      is_done = change <= options_->tolerance * (size_ + largest(next.v));
-      before = change;
-    }
-    if (!is_done || !factorise_at(next.v, here.tangent)) return std::nullopt;
-    matrix_.solve(zero_, 1, next.tangent);
-    scale(next.tangent, 1 / norm(next.tangent));
-    const double cosine = dot(next.tangent, here.tangent);
-    if (!(cosine > std::cos(options_->largest_turn))) return std::nullopt;
-    const double aimed = options_->deviation * step;
-    growth_ = std::clamp(std::pow(aimed / std::max(first, 1e-300), previous_ ? 0.25 : 0.5), 0.5, 2.0);
-    // The chord method's rate grows in proportion to the step.
-    if (rate > 0) growth_ = std::min(growth_, std::max(0.5, kAimedRate / rate));
-    const double turn = std::acos(std::min(cosine, 1.0));
+  /// Cuts the step where t turns back near 1: then it is seen whether it crosses.
+  bool ends_at_turning_point() {
+    std::optional<CurvePoint> turn = turning_point(*curve_, state_.here, next_);
+    if (!turn || !at_next_.find(*turn, state_.here.tangent)) return false;
+    next_ = std::move(*turn);
+    is_turn_ = true;
+    return true;
+  }
+
+  void set_growth(const Correction& correction, double turn) {
+    const double aimed = options_->deviation * state_.step;
+    const double error = std::max(correction.first, 1e-300);
+    growth_ = std::clamp(std::pow(aimed / error, 1.0 / (state_.before ? predictor_->order() : 2)), 0.5, 2.0);
     if (turn > 0) growth_ = std::min(growth_, std::max(0.5, 0.7 * options_->largest_turn / turn));
-    return next;
   }
 
-  /// Whether t turns back between the points beyond 0 or 1, on whose other side both of them lie.
-  bool misses_a_crossing(const CurvePoint& here, const CurvePoint& next) const {
-    const double span = distance(here.v, next.v);
-    const Cubic t{here.v[m_], span * here.tangent[m_], next.v[m_], span * next.tangent[m_]};
-    if (t.start_slope * t.end_slope >= 0) return false;
-    double low = 0, high = 1;
-    for (int k = 0; k < 30; ++k) {
-      const double middle = (low + high) / 2;
-      (t.slope(middle) * t.start_slope > 0 ? low : high) = middle;
+  /// Whether branches cross within the step; remembers where.
+  bool passes_a_branch_point() {
+    constexpr double kSameBranch = 1e-13;
+    const double span = distance(state_.here.v, next_.v);
+    const std::optional<CriticalPoint> found =
+        critical_point_near(*curve_, point_between(state_.here, next_, 0.5), span);
+    if (!found || found->gap > kSameBranch) return false;
+    branch_point_ = found->v;
+    return true;
+  }
+
+  /// Whether the step may be taken as far as proofs go: with the proof that the curve leads there, or across
+  /// a branch point without.
+  bool is_proved_or_a_leap() {
+    is_return_proved_ = false;
+    const std::uint64_t seen = crosses(1, state_.here, next_) ? 1 : 0;
+    const auto arc = certifier_->follow(next_);
+    state_.path.tubes = certifier_->tubes();
+    if (arc) {
+      is_return_proved_ = arc->passes_beginning;
+      return arc->crossings == seen;
     }
-    const double extreme = t.at(low);
-    const auto is_beyond = [&](double level) {
-      return (t.start - level) * (t.end - level) > 0 && (extreme - level) * (t.start - level) < 0;
-    };
-    return span > 1e-6 && (is_beyond(0) || is_beyond(1));
+    if (!branch_point_ || !certifier_->go_on_from(next_)) return false;
+    ++state_.path.unproved_steps;
+    return true;
   }
 
-  /// The point with t = level between two, on the cubic through them, then by Newton's method with t fixed.
-  std::optional<Point> point_at(double level, const CurvePoint& here, const CurvePoint& next) {
-    const double span = distance(here.v, next.v);
-    const auto cubic = [&](std::size_t i) {
-      return Cubic{here.v[i], span * here.tangent[i], next.v[i], span * next.tangent[i]};
+  /// Makes the next point the current one; the end of the path, where it is one.
+  std::optional<PathEnd> accept() {
+    const CurvePoint& here = state_.here;
+    Path& path = state_.path;
+    ++path.steps;
+    const double travelled = distance(here.v, next_.v);
+    const double middle = state_.direction * (state_.length + travelled / 2);
+    if (branch_point_) path.branch_points.push_back({std::move(*branch_point_), middle});
+    branch_point_.reset();
+    if (is_turn_ && std::abs(next_.v.back() - 1) < kTouching) {
+      next_.v.back() = 1;
+      path.crossings.push_back({next_.v, middle, rank_at(*curve_, next_.v), true});
+    } else if (crosses(1, here, next_)) {
+      if (auto point = point_at(1, *curve_, here, next_))
+        path.crossings.push_back({std::move(point->v), middle, point->rank});
+    }
+    const bool is_back = passes_through(start_, here);
+    path.length += is_back ? distance(here.v, start_.v) : travelled;
+    const bool is_loop =
+        !is_back && state_.steps_to_next_landmark > 1 && passes_through(state_.landmark, here);
+    state_.length += travelled;
+    state_.before = std::exchange(state_.here, next_);
+    is_exact_ = false;
+    std::swap(at_here_, at_next_);
+    if (is_loop || (is_back && is_odd())) throw Jump{std::move(path)};
+    path.is_return_proved = is_back && is_return_proved_;
+    if (is_back) return PathEnd::cycle;
+    if (norm(state_.here.v) > options_->infinity) return PathEnd::to_infinity;
+    if (options_->stops_at_first_crossing && !path.crossings.empty()) return PathEnd::budget;
+    move_landmark();
+    if (options_->step_control == StepControl::adaptive)
+      state_.step =
+          std::min(state_.step * growth_, options_->largest_step * std::max(1.0, norm(state_.here.v)));
+    return std::nullopt;
+  }
+
+  /// The number of crossings of t = 1 to its other side.
+  bool is_odd() const {
+    return std::ranges::count(state_.path.crossings, false, &Crossing::is_touching) % 2 != 0;
+  }
+
+  /// Brent's way to notice loops: the landmark moves after 1, 2, 4, ... steps.
+  void move_landmark() {
+    if (--state_.steps_to_next_landmark > 0) return;
+    state_.landmark = state_.here;
+    state_.steps_to_next_landmark = state_.path.steps + 1;
+  }
+
+  /// Whether the curve between `here` and the next point passes through that point in the same direction.
+  bool passes_through(const CurvePoint& point, const CurvePoint& here) {
+    constexpr double kNear = 1e-7;
+    const auto height = [&](const std::vector<double>& v) {
+      double sum = 0;
+      for (std::size_t i = 0; i < v.size(); ++i) sum += (v[i] - point.v[i]) * point.tangent[i];
+      return sum;
     };
-    const Cubic t = cubic(m_);
+    if (!(height(here.v) < 0 && height(next_.v) >= 0)) return false;
+    const double span = distance(here.v, next_.v);
+    if (distance(here.v, point.v) > 2 * span) return false;
     double low = 0, high = 1;
     for (int k = 0; k < 40; ++k) {
       const double middle = (low + high) / 2;
-      ((t.at(middle) - level) * (t.start - level) > 0 ? low : high) = middle;
+      (height(point_between(here, next_, middle)) < 0 ? low : high) = middle;
     }
-    Point v;
-    for (std::size_t i = 0; i <= m_; ++i) v.push_back(cubic(i).at(low));
-    v[m_] = level;
-    return polished(std::move(v));
+    std::vector<double> v = point_between(here, next_, high);
+    Corrector exact(*curve_, {CorrectorKind::newton, 1e-12});
+    exact.correct(point, at_here_.matrix(), span, v);
+    return distance(v, point.v) <= kNear * (1 + norm(point.v));
   }
 
-  std::optional<Point> polished(Point v) {
-    constexpr int kIterations = 8;
-    Point border(m_ + 1, 0.0);
-    border[m_] = 1;
-    BorderedMatrix matrix;
-    for (int k = 0; k < kIterations; ++k) {
-      if (!homotopy_->jacobian(v, values_, jacobian_) || !matrix.factorise(jacobian_, border))
-        return std::nullopt;
-      matrix.solve(values_, 0, change_);
-      for (std::size_t i = 0; i < m_; ++i) v[i] -= change_[i];
-      if (norm(change_) <= 1e-15 * (size_ + largest(v))) break;
-    }
-    return v;
-  }
+  static constexpr double kLargestDeviation = 0.06;
+  static constexpr double kSmallStep = 1e-3;
+  static constexpr double kTouching = 1e-11;  ///< of t at turning points, which is 1 there then
 
-  static bool is_between(double level, double a, double b) {
-    return (a - level) * (b - level) < 0 || b == level;
-  }
-
-  void note_crossing(const CurvePoint& here, const CurvePoint& next, double travelled) {
-    if (!is_between(1, here.v[m_], next.v[m_])) return;
-    const std::optional<Point> found = point_at(1, here, next);
-    Point v = found ? *found : next.v;
-    const bool is_defined = homotopy_->values(v, values_);
-    const double residual = is_defined ? largest(values_) : HUGE_VAL;
-    v.pop_back();
-    path_.crossings.push_back({std::move(v), direction_ * (length_ + travelled / 2), residual});
-  }
-
-  bool has_returned(const CurvePoint& here, const CurvePoint& next) {
-    constexpr double kNear = 1e-6;
-    if (here.v[m_] == 0 || !is_between(0, here.v[m_], next.v[m_])) return false;
-    const std::optional<Point> found = point_at(0, here, next);
-    return found && distance(*found, start_.v) <= kNear * size_;
-  }
-
-  struct Previous {
-    CurvePoint point;
-    double length;
-  };
-
-  Homotopy* homotopy_;
+  Curve* curve_;
   const TrackerOptions* options_;
   std::stop_token stop_;
-  std::size_t m_;
-  Point sketch_;
-  double size_ = 1;
-  int direction_ = 1;
-  double length_ = 0;
-  double growth_ = 1;
-  bool is_defined_ = true;  ///< where the equations were asked for last
+  const PathAids* aids_;
+  PathCertifier* certifier_;
+  std::unique_ptr<Predictor> predictor_;
+  Corrector corrector_;
+  Corrector precise_corrector_;
+  TangentSolver at_here_, at_next_;
   CurvePoint start_;
-  std::optional<Previous> previous_;
-  Point predicted_, values_, zero_, change_;
-  Matrix<double> jacobian_;
-  BorderedMatrix matrix_;
-  SketchPath path_;
+  CurvePoint next_;
+  std::optional<std::vector<double>> branch_point_;
+  double growth_ = 1;
+  bool is_turn_ = false;           ///< of t, at the next point
+  bool is_return_proved_ = false;  ///< by the last step
+  bool is_exact_ = false;          ///< the current point was improved
+  bool is_defined_ = true;         ///< where the equations were asked for last
+  PathState state_;
 };
+
+/// What to try after a jump.
+TrackerOptions with_smaller_steps(TrackerOptions options) {
+  if (options.step_control == StepControl::fixed) {
+    options.first_step /= 2;
+    return options;
+  }
+  options.deviation /= 4;
+  options.largest_turn /= 2;
+  options.largest_step /= 2;
+  return options;
+}
 
 }  // namespace
 
@@ -301,15 +337,33 @@ std::string_view name_of(PathEnd end) {
       return "to_infinity";
     case PathEnd::to_undefined:
       return "to_undefined";
+    case PathEnd::stuck:
     case PathEnd::budget:
       break;
   }
   return "budget";
 }
 
-SketchPath follow_sketch(Homotopy& homotopy, std::span<const double> sketch, const TrackerOptions& options,
-                         const std::stop_token& stop) {
-  return Tracker(homotopy, sketch, options, stop).follow();
+Path follow_path(Curve& curve, const std::vector<double>& start, const TrackerOptions& options,
+                 const std::stop_token& stop, const PathAids& aids) {
+  constexpr int kRestarts = 8;
+  TrackerOptions attempt = options;
+  for (int restarts = 0;; ++restarts) {
+    try {
+      Path path = Tracker(curve, start, attempt, stop, aids).follow(restarts == 0 ? aids.from : nullptr);
+      path.restarts += restarts;
+      return path;
+    } catch (Jump& jump) {
+      if (restarts < kRestarts) {
+        attempt = with_smaller_steps(attempt);
+        continue;
+      }
+      jump.path.end = jump.path.other_end = PathEnd::stuck;
+      jump.path.last = jump.path.other_last = start;
+      jump.path.restarts = kRestarts;
+      return std::move(jump.path);
+    }
+  }
 }
 
 }  // namespace gcslab

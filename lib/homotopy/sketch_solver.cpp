@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certification/root_certifier.h"
+#include "certification/point_certifier.h"
+#include "homotopy/level_crossing.h"
 
 namespace gcslab {
 namespace {
 
-constexpr int kBits = 53;
 /// Uncertified points nearer than this part of their size are one.
 constexpr double kSame = 1e-7;
 
@@ -17,6 +17,15 @@ bool is_in(const std::vector<double>& point, const Box& box) {
     if (!contains(box[i], point[i])) return false;
   }
   return true;
+}
+
+/// Farther out than rounding tells: a circle of negative radius, for example, is no figure.
+bool is_outside(const std::vector<double>& point, const Box& box) {
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const double slack = kSame * std::max(1.0, std::abs(point[i]));
+    if (point[i] < box[i].lower - slack || point[i] > box[i].upper + slack) return true;
+  }
+  return false;
 }
 
 bool is_near(const std::vector<double>& a, const std::vector<double>& b) {
@@ -33,34 +42,27 @@ bool is_same(const SketchSolution& solution, const std::vector<double>& point) {
   return solution.root ? is_in(point, solution.root->uniqueness_box) : is_near(solution.unknowns, point);
 }
 
-std::optional<CertifiedRoot> certified(const std::vector<double>& point, NewtonIteration& newton,
-                                       RootCertifier& certifier) {
-  constexpr double kRadius = 1e-6;
-  Box around;
-  for (const double x : point) {
-    const double reach = kRadius * std::max(std::abs(x), 1.0);
-    around.emplace_back(x - reach, x + reach);
-  }
-  const std::optional<ApproximateRoot> approximate = newton.run(around);
-  return approximate ? certifier.certify(*approximate, around) : std::nullopt;
-}
-
 }  // namespace
 
-SketchSolutions solve_along_path(Homotopy& homotopy, const StartingFigure& start,
+SketchSolutions solve_along_path(Homotopy& homotopy, Curve& curve, const std::vector<double>& start,
                                  const SystemFunctions& wanted, const TrackerOptions& options,
-                                 const std::string& certifier, const std::stop_token& stop) {
+                                 const std::string& certifier, const std::stop_token& stop,
+                                 const PathAids& aids) {
   SketchSolutions result;
-  result.path = follow_sketch(homotopy, start.unknowns, options, stop);
-  const std::vector<double> scales(wanted.variables(), 1.0);
-  NewtonIteration newton(wanted, scales);
-  const auto prover = make_root_certifier(certifier, wanted, scales, kBits);
+  result.path = follow_path(curve, start, options, stop, aids);
+  std::erase_if(result.path.crossings, [&](const Crossing& crossing) {
+    return is_outside(homotopy.unknowns(crossing.v), wanted.system().box);
+  });
+  PointCertifier prover(wanted, certifier);
   for (const Crossing& crossing : result.path.crossings) {
-    const auto known = std::ranges::find_if(
-        result.solutions, [&](const SketchSolution& s) { return is_same(s, crossing.unknowns); });
+    const std::vector<double> unknowns = homotopy.unknowns(crossing.v);
+    const auto known =
+        std::ranges::find_if(result.solutions, [&](const SketchSolution& s) { return is_same(s, unknowns); });
     result.solution_of_crossing.push_back(static_cast<std::size_t>(known - result.solutions.begin()));
     if (known != result.solutions.end()) continue;
-    result.solutions.push_back({crossing.unknowns, certified(crossing.unknowns, newton, *prover)});
+    const bool is_regular = crossing.rank == homotopy.size();
+    result.solutions.push_back({unknowns, is_regular ? prover.certify(unknowns) : std::nullopt, crossing.rank,
+                                !is_regular && lies_on_continuum(homotopy, crossing.v)});
   }
   return result;
 }

@@ -8,26 +8,31 @@
 
 #include "certification/root_certificate.h"
 #include "certification/system_functions.h"
+#include "homotopy/homotopy.h"
 #include "homotopy/path_tracker.h"
-#include "homotopy/starting_figure.h"
 
 namespace gcslab {
 
 struct SketchSolution {
   std::vector<double> unknowns;
   std::optional<CertifiedRoot> root;  ///< nothing: no theorem applies, as where the Jacobian is singular
+  std::size_t rank;                   ///< of the Jacobian, as far as doubles tell
+  bool is_on_continuum = false;       ///< numerical evidence
 };
 
 struct SketchSolutions {
-  SketchPath path;
+  Path path;
   std::vector<SketchSolution> solutions;          ///< distinct, in the order met
   std::vector<std::size_t> solution_of_crossing;  ///< number of the solution, one a crossing of the path
 };
 
-/// Follows the path of the starting figure and certifies what it crosses. `wanted` are the equations with the
-/// values at t = 1; `certifier` names theorems (certification/root_certifier.h).
-SketchSolutions solve_along_path(Homotopy& homotopy, const StartingFigure& start,
+/// Follows the path through `start`, a point with t = 0, and certifies what it crosses in the box of
+/// `wanted`; other crossings are dropped, as those where a radius is negative. `curve` is the homotopy,
+/// perhaps with other derivatives. `wanted` are the equations with the values at t = 1; `certifier` names
+/// theorems (certification/root_certifier.h).
+SketchSolutions solve_along_path(Homotopy& homotopy, Curve& curve, const std::vector<double>& start,
                                  const SystemFunctions& wanted, const TrackerOptions& options,
-                                 const std::string& certifier, const std::stop_token& stop = {});
+                                 const std::string& certifier, const std::stop_token& stop = {},
+                                 const PathAids& aids = {});
 
 }  // namespace gcslab

@@ -13,13 +13,12 @@ Expression doubled(const ConstraintPlace& place) {
 
 }  // namespace
 
-ConstraintKind area_constraint() {
+std::vector<ConstraintKind> area_constraints() {
   ConstraintKind kind;
   kind.name = "area";
   kind.summary = "the area of a triangle; in the plane positive when its points turn left";
   kind.universes = {Universe::plane, Universe::space};
-  kind.points = 3;
-  kind.restriction = [](Universe) { return 1; };
+  kind.sorts = std::vector(3, Sort::point);
   kind.measure = [](const ConstraintPlace& place) {
     const Vector u = place.vector(0, 1), v = place.vector(0, 2);
     return half(place.universe == Universe::plane ? determinant(u, v) : norm(cross(u, v)));
@@ -30,7 +29,7 @@ ConstraintKind area_constraint() {
                              return std::vector{doubled(place) -
                                                 (place.universe == Universe::plane ? twice : sqr(twice))};
                            }}};
-  return kind;
+  return {kind};
 }
 
 }  // namespace gcslab

@@ -2,12 +2,12 @@
 
 namespace gcslab {
 
-ConstraintKind collinear_constraint() {
+std::vector<ConstraintKind> collinear_constraints() {
   ConstraintKind kind;
   kind.name = "collinear";
   kind.summary = "three points lie on a line";
   kind.universes = {Universe::plane, Universe::space};
-  kind.points = 3;
+  kind.sorts = std::vector(3, Sort::point);
   kind.restriction = [](Universe universe) { return universe == Universe::plane ? 1 : 2; };
   kind.auxiliaries = &auxiliaries_of_multiple;
   kind.metric_form = "area";
@@ -15,7 +15,7 @@ ConstraintKind collinear_constraint() {
                            [](const ConstraintPlace& place, const std::optional<Expression>&) {
                              return multiple_equations(place, place.vector(0, 1), place.vector(0, 2));
                            }}};
-  return kind;
+  return {kind};
 }
 
 }  // namespace gcslab

@@ -2,13 +2,12 @@
 
 namespace gcslab {
 
-ConstraintKind volume_constraint() {
+std::vector<ConstraintKind> volume_constraints() {
   ConstraintKind kind;
   kind.name = "volume";
   kind.summary = "the signed volume of a tetrahedron";
   kind.universes = {Universe::space};
-  kind.points = 4;
-  kind.restriction = [](Universe) { return 1; };
+  kind.sorts = std::vector(4, Sort::point);
   kind.measure = [](const ConstraintPlace& place) {
     const Expression volume = determinant(place.vector(0, 1), place.vector(0, 2), place.vector(0, 3));
     return volume / volume.graph().constant(6);
@@ -19,7 +18,7 @@ ConstraintKind volume_constraint() {
                                  determinant(place.vector(0, 1), place.vector(0, 2), place.vector(0, 3)) -
                                  v->graph().constant(6) * *v};
                            }}};
-  return kind;
+  return {kind};
 }
 
 }  // namespace gcslab

@@ -1,113 +1,88 @@
-// Every registered constraint, on random figures: its equations hold for the parameter read off a figure,
-// take as many degrees of freedom as it says, and boolean ones hold on figures made to have what they say.
+// Every registered constraint, on random figures: its equations hold for the parameter read off a figure and
+// for no other, take as many degrees of freedom as it says, and say the same of a figure that is moved.
+
+#include "geometry/constraint_kind.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "base/random.h"
-#include "expression/tape_evaluator.h"
-#include "geometry/geometric_equations.h"
-#include "geometry/sketch.h"
+#include "geometry/figure_projection.h"
+#include "support/error_text.h"
 #include "support/fuzz.h"
+#include "unit/geometry/constraint_case.h"
+#include "unit/geometry/isometry.h"
 
 namespace gcslab {
 namespace {
 
-struct Choice {
-  const ConstraintKind* kind;
-  Universe universe;
-};
-
-std::vector<Choice> choices() {
-  std::vector<Choice> result;
-  for (const ConstraintKind& kind : constraint_registry().entries()) {
-    for (const Universe universe : kind.universes) result.push_back({&kind, universe});
-  }
-  return result;
-}
-
-std::string name_of_choice(const testing::TestParamInfo<Choice>& info) {
-  return info.param.kind->name + (info.param.universe == Universe::plane ? "_2d" : "_3d");
-}
-
-/// A system of this one constraint, without a frame.
-ConstraintSystem system_of(const Choice& choice, std::size_t interpretation) {
-  ConstraintSystem system;
-  system.universe = choice.universe;
-  system.frame = Frame();
-  Constraint constraint{choice.kind, {}, std::nullopt, interpretation};
-  for (std::size_t p = 0; p < choice.kind->points; ++p) {
-    system.points.push_back("P" + std::to_string(p));
-    constraint.points.push_back(p);
-  }
-  if (choice.kind->is_metric()) {
-    system.parameters.emplace_back("a");
-    constraint.parameter = 0;
-  }
-  system.constraints.push_back(constraint);
-  return system;
-}
-
-Figure random_figure(const Choice& choice, Random& random) {
-  Figure figure(choice.kind->points, std::vector<double>(dimension(choice.universe)));
-  for (auto& point : figure) {
-    for (double& x : point) x = random.uniform(-1, 1);
-  }
-  return figure;
-}
-
-std::vector<double> values_at(const GeometricEquations& equations, std::vector<double> numbers) {
-  const auto variables = static_cast<int>(equations.unknowns.size() + equations.parameters.size());
-  const Tape tape(equations.equations, variables);
-  TapeEvaluator<double> evaluator(tape);
-  evaluator.evaluate(numbers);
-  std::vector<double> values;
-  for (std::size_t k = 0; k < equations.equations.size(); ++k) values.push_back(evaluator.value(k));
-  return values;
-}
-
-class ConstraintKindContract : public testing::TestWithParam<Choice> {
+class ConstraintKindContract : public testing::TestWithParam<ConstraintCase> {
  protected:
-  static std::vector<double> flat(const Figure& figure) {
-    std::vector<double> result;
-    for (const auto& point : figure) result.insert(result.end(), point.begin(), point.end());
-    return result;
-  }
+  const ConstraintKind& kind() const { return *GetParam().kind; }
 };
 
 TEST_P(ConstraintKindContract, DescribesItself) {
-  const ConstraintKind& kind = *GetParam().kind;
-  EXPECT_GT(kind.summary.size(), 5U);
-  EXPECT_FALSE(kind.interpretations.empty());
-  for (const Interpretation& interpretation : kind.interpretations)
+  EXPECT_GT(kind().summary.size(), 5U);
+  EXPECT_FALSE(kind().sorts.empty());
+  for (const Sort sort : kind().sorts) EXPECT_TRUE(exists_in(sort, GetParam().universe));
+  EXPECT_FALSE(kind().interpretations.empty());
+  for (const Interpretation& interpretation : kind().interpretations)
     EXPECT_FALSE(interpretation.summary.empty());
-  if (kind.is_metric()) return;
-  EXPECT_TRUE(kind.metric_form.empty() || constraint_registry().at(kind.metric_form).is_metric());
+  EXPECT_TRUE(kind().nearness == Nearness::unknown || kind().sorts.size() == 2);
+  EXPECT_TRUE(kind().nearness != Nearness::parameter || kind().is_metric());
+  if (kind().is_metric()) return;
+  EXPECT_TRUE(kind().metric_form.empty() || constraint_registry().at(kind().metric_form).is_metric());
 }
 
 TEST_P(ConstraintKindContract, HasAsManyEquationsAsItTakesDegreesOfFreedom) {
-  for (std::size_t i = 0; i < GetParam().kind->interpretations.size(); ++i) {
-    const ConstraintSystem system = system_of(GetParam(), i);
-    const GeometricEquations equations = geometric_equations(system, {});
-    EXPECT_EQ(static_cast<int>(equations.equations.size() - equations.auxiliaries),
-              GetParam().kind->restriction(GetParam().universe));
+  for (std::size_t i = 0; i < kind().interpretations.size(); ++i) {
+    const GeometricEquations equations = geometric_equations(system_of(GetParam(), i), {});
+    const auto own =
+        std::ranges::count_if(equations.constraint_of_equation, [](const auto& c) { return c.has_value(); });
+    EXPECT_EQ(own - static_cast<int>(equations.auxiliaries), kind().restriction(GetParam().universe));
   }
 }
 
+/// An object has as many degrees of freedom as unknowns less normalising equations.
+TEST_P(ConstraintKindContract, NormalisesItsObjects) {
+  const auto degrees_of_freedom = [&](Sort sort) {
+    const bool is_plane = GetParam().universe == Universe::plane;
+    switch (sort) {
+      case Sort::point:
+        return is_plane ? 2 : 3;
+      case Sort::line:
+        return is_plane ? 2 : 4;
+      case Sort::plane:
+        return 3;
+      case Sort::circle:
+        return is_plane ? 3 : 6;
+      case Sort::sphere:
+        return 4;
+    }
+    return 0;
+  };
+  const GeometricEquations equations = geometric_equations(system_of(GetParam()), {});
+  int expected = 0;
+  for (const Sort sort : kind().sorts) expected += degrees_of_freedom(sort);
+  const auto normalising =
+      std::ranges::count_if(equations.constraint_of_equation, [](const auto& c) { return !c.has_value(); });
+  EXPECT_EQ(static_cast<int>(equations.unknowns.size() - equations.auxiliaries) - normalising, expected);
+}
+
 TEST_P(ConstraintKindContract, HoldsForTheParameterThatAFigureShows) {
-  if (!GetParam().kind->is_metric()) GTEST_SKIP() << "no parameter";
+  if (!kind().is_metric()) GTEST_SKIP() << "no parameter";
   Random random(fuzz_seed(), "constraint kinds");
-  for (std::size_t i = 0; i < GetParam().kind->interpretations.size(); ++i) {
+  for (std::size_t i = 0; i < kind().interpretations.size(); ++i) {
     const ConstraintSystem system = system_of(GetParam(), i);
     const GeometricEquations equations = geometric_equations(system, {});
     for (std::size_t n = 0; n < fuzz_cases(200); ++n) {
-      const Figure figure = random_figure(GetParam(), random);
+      const Figure figure = random_figure(system, random);
       const double parameter = parameters_of(system, figure)[0];
-      ASSERT_TRUE(contains(GetParam().kind->possible, parameter)) << parameter;
+      ASSERT_TRUE(contains(kind().possible, parameter)) << parameter;
       std::vector<double> numbers = flat(figure);
       numbers.push_back(parameter);
       for (const double value : values_at(equations, numbers)) ASSERT_NEAR(value, 0, 1e-13);
-      numbers.back() = parameter + 0.25;  // and for no other
+      const bool is_small = contains(kind().possible, parameter + 0.25);  // and for no other
+      numbers.back() = is_small ? parameter + 0.25 : parameter - 0.25;
       double largest = 0;
       for (const double value : values_at(equations, numbers)) largest = std::max(largest, std::abs(value));
       ASSERT_GT(largest, 1e-6);
@@ -115,87 +90,61 @@ TEST_P(ConstraintKindContract, HoldsForTheParameterThatAFigureShows) {
   }
 }
 
-TEST_P(ConstraintKindContract, SaysThatItIsNotSmoothWherePointsMeet) {
-  for (const Interpretation& interpretation : GetParam().kind->interpretations) {
+TEST_P(ConstraintKindContract, IsNotChangedByIsometries) {
+  if (kind().name.starts_with("fixed")) GTEST_SKIP() << "about coordinates";
+  Random random(fuzz_seed(), "constraint kinds moved");
+  const ConstraintSystem system = system_of(GetParam());
+  const GeometricEquations equations = geometric_equations(system, {});
+  std::size_t compared = 0;
+  for (std::size_t n = 0; n < fuzz_cases(100); ++n) {
+    const std::vector<double> unknowns = unknowns_of(equations, random_figure(system, random));
+    const FigureProjection first = satisfy_common_equations(system, equations, unknowns);
+    if (!first.holds) continue;  // no figure near by has what a boolean one says
+    ++compared;
+    const Figure figure = figure_at(equations, first.unknowns);
+    const Figure moved = randomly_moved(kind().sorts, GetParam().universe, figure, random);
+    const std::vector<double> coordinates = unknowns_of(equations, moved);
+    const FigureProjection again = satisfy_common_equations(system, equations, coordinates);
+    ASSERT_TRUE(again.holds);
+    const std::size_t last = coordinates.size() - equations.auxiliaries;
+    for (std::size_t i = 0; i < last; ++i) ASSERT_NEAR(again.unknowns[i], coordinates[i], 1e-6);
+    if (!kind().is_metric()) continue;  // of the area and the volume the sign may change
+    ASSERT_NEAR(std::abs(parameters_of(system, figure)[0]), std::abs(parameters_of(system, moved)[0]), 1e-7);
+  }
+  EXPECT_GT(compared, fuzz_cases(100) / 2);
+}
+
+TEST_P(ConstraintKindContract, SaysThatItIsNotSmoothWhereObjectsMeet) {
+  for (const Interpretation& interpretation : kind().interpretations) {
     if (interpretation.not_smooth_at == nullptr) continue;
     ExpressionGraph graph;
-    const Vector point(dimension(GetParam().universe), graph.constant(1));
-    const ConstraintPlace together{GetParam().universe, std::vector(GetParam().kind->points, point)};
+    ConstraintPlace together{GetParam().universe, {}};
+    for (const Sort sort : kind().sorts) {
+      Vector coordinates;
+      for (const CoordinateName& name : coordinate_names(sort, GetParam().universe)) {
+        const bool is_along = name.role == Role::direction && !name.suffix.ends_with("x");
+        coordinates.push_back(graph.constant(is_along ? 0 : 1));
+      }
+      together.objects.push_back(parts_of(sort, GetParam().universe, coordinates));
+    }
     for (const Expression& size : interpretation.not_smooth_at(together)) EXPECT_TRUE(size.is_constant(0));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registered, ConstraintKindContract, testing::ValuesIn(choices()), name_of_choice);
+INSTANTIATE_TEST_SUITE_P(Registered, ConstraintKindContract, testing::ValuesIn(all_constraint_cases()),
+                         [](const auto& of) { return name_of(of.param); });
 
-struct Example {
-  const char* kind;
-  Universe universe;
-  Figure holds;
-  std::vector<double> auxiliaries;
-  Figure fails;
-};
-
-const std::vector<Example>& examples() {
-  static const std::vector<Example> all = {
-      {"collinear", Universe::plane, {{0, 0}, {1, 2}, {3, 6}}, {}, {{0, 0}, {1, 2}, {3, 5}}},
-      {"collinear",
-       Universe::space,
-       {{0, 0, 1}, {1, 2, 1}, {3, 6, 1}},
-       {3},
-       {{0, 0, 1}, {1, 2, 1}, {3, 6, 2}}},
-      {"coplanar",
-       Universe::space,
-       {{0, 0, 1}, {1, 0, 1}, {0, 2, 1}, {5, 7, 1}},
-       {},
-       {{0, 0, 1}, {1, 0, 1}, {0, 2, 1}, {5, 7, 2}}},
-      {"parallel", Universe::plane, {{0, 0}, {1, 2}, {5, 5}, {3, 1}}, {}, {{0, 0}, {1, 2}, {5, 5}, {3, 2}}},
-      {"parallel",
-       Universe::space,
-       {{0, 0, 0}, {1, 2, 3}, {5, 5, 5}, {3, 1, -1}},
-       {-2},
-       {{0, 0, 0}, {1, 2, 3}, {5, 5, 5}, {3, 1, 0}}},
-      {"perpendicular",
-       Universe::plane,
-       {{0, 0}, {1, 2}, {5, 5}, {3, 6}},
-       {},
-       {{0, 0}, {1, 2}, {5, 5}, {3, 7}}},
-      {"perpendicular",
-       Universe::space,
-       {{0, 0, 0}, {1, 2, 3}, {5, 5, 5}, {2, 5, 6}},
-       {},
-       {{0, 0, 0}, {1, 2, 3}, {5, 5, 5}, {2, 5, 7}}},
-      {"equal_lengths",
-       Universe::plane,
-       {{0, 0}, {3, 4}, {1, 1}, {6, 1}},
-       {},
-       {{0, 0}, {3, 4}, {1, 1}, {5, 1}}},
-      {"equal_lengths",
-       Universe::space,
-       {{0, 0, 0}, {2, 3, 6}, {1, 1, 1}, {1, 8, 1}},
-       {},
-       {{0, 0, 0}, {2, 3, 6}, {1, 1, 1}, {1, 7, 1}}}};
-  return all;
-}
-
-TEST(BooleanConstraints, HoldWhereTheySay) {
-  std::size_t booleans = 0;
-  for (const ConstraintKind& kind : constraint_registry().entries())
-    booleans += kind.is_metric() ? 0U : kind.universes.size();
-  EXPECT_EQ(examples().size(), booleans) << "an example each";
-  for (const Example& example : examples()) {
-    const ConstraintSystem system = system_of({&constraint_registry().at(example.kind), example.universe}, 0);
-    const GeometricEquations equations = geometric_equations(system, {});
-    const auto largest = [&](const Figure& figure) {
-      std::vector<double> numbers;
-      for (const auto& point : figure) numbers.insert(numbers.end(), point.begin(), point.end());
-      numbers.insert(numbers.end(), example.auxiliaries.begin(), example.auxiliaries.end());
-      double result = 0;
-      for (const double value : values_at(equations, numbers)) result = std::max(result, std::abs(value));
-      return result;
-    };
-    EXPECT_EQ(largest(example.holds), 0) << example.kind;
-    EXPECT_GT(largest(example.fails), 0.1) << example.kind;
+TEST(ConstraintRegistry, HasNoTwoKindsOfAWordForTheSameSorts) {
+  for (const std::string& name : constraint_registry().names()) {
+    const auto kinds = constraint_registry().kinds(name);
+    EXPECT_EQ(kinds.front(), &constraint_registry().at(name));
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) EXPECT_NE(kinds[i]->sorts, kinds[j]->sorts) << name;
+    }
   }
+  EXPECT_TRUE(constraint_registry().kinds("banana").empty());
+  EXPECT_NE(error_text([] { static_cast<void>(constraint_registry().at("distanze")); }).find("distance"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
 TEST(ConstraintSystemReader, ReadsAllThatIsSaid) {
   const ConstraintSystem system = read(tetrahedron() + "frame: [B, A, D]\nsketch: {random: 7}\n");
   EXPECT_EQ(system.universe, Universe::space);
-  EXPECT_EQ(system.points.size(), 5U);
+  EXPECT_EQ(system.points(), 5U);
   EXPECT_EQ(system.constraints.size(), 9U);
   EXPECT_EQ(system.parameters, (std::vector<std::string>{"h0", "h1", "h2", "h3", "a", "h4"}));
   EXPECT_EQ(system.constraints[1].parameter, system.constraints[2].parameter);
@@ -177,7 +177,7 @@ TEST(Sketch, SatisfiesTheEquationsOfItsParametersInTheFrame) {
       std::vector<double> numbers;
       for (std::size_t p = 0; p < moved.size(); ++p) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          if (!equations.points[p][axis].is_constant()) numbers.push_back(moved[p][axis]);
+          if (!equations.objects[p][axis].is_constant()) numbers.push_back(moved[p][axis]);
         }
       }
       ASSERT_EQ(numbers.size(), equations.unknowns.size());

@@ -8,40 +8,21 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "geometry/constraint_system_reader.h"
-#include "geometry/sketch.h"
+#include "homotopy/predictor.h"
+#include "support/corpus_figure.h"
 #include "support/error_text.h"
 #include "support/fuzz.h"
+#include "support/plane_curve.h"
 
 namespace gcslab {
 namespace {
 
-struct Figured {
-  ConstraintSystem system;
-  Frame frame;
-  GeometricEquations equations;
-};
-
-Figured corpus_figure(const std::string& name) {
-  const YamlNode file =
-      YamlNode::load_file(std::string(GCSLAB_SOURCE_DIR) + "/data/polyhedra/" + name + ".yaml");
-  Figured result{read_constraint_system(file), {}, {}};
-  result.frame = frame_of(result.system);
-  result.equations = geometric_equations(result.system, result.frame);
-  return result;
-}
-
-std::vector<double> unknowns_of(const Figured& figured, const Figure& figure) {
-  return unknowns_of(figured.equations, in_frame(figured.system, figured.frame, figure));
-}
-
-std::vector<double> wanted_of(const Figured& figured) { return values_of(figured.system.valuation("")); }
-
-std::vector<std::vector<double>> distances_of(const Figured& figured,
+/// Of the figures at the crossings, up to isometry.
+std::vector<std::vector<double>> distances_of(const CorpusFigure& figured, const SketchHomotopy& homotopy,
                                               const std::vector<Crossing>& crossings) {
   std::vector<std::vector<double>> classes;
   for (const Crossing& crossing : crossings) {
-    const Figure figure = figure_at(figured.equations, crossing.unknowns);
+    const Figure figure = figure_at(figured.equations, homotopy.curve().unknowns(crossing.v));
     std::vector<double> distances;
     for (std::size_t p = 0; p < figure.size(); ++p) {
       for (std::size_t q = 0; q < p; ++q) {
@@ -62,87 +43,127 @@ std::vector<std::vector<double>> distances_of(const Figured& figured,
   return classes;
 }
 
-TEST(SketchPath, OfTheOctahedronCrossesItsFiguresAndReturns) {
-  const Figured octahedron = corpus_figure("octahedron");
+Path path_of(const CorpusFigure& figured, const Figure& sketch, const TrackerOptions& options = {}) {
+  SketchHomotopy homotopy = figured.homotopy(sketch);
+  return follow_path(homotopy.curve(), homotopy.start(), options);
+}
+
+TEST(PathTracker, OfTheOctahedronCrossesItsFiguresAndReturns) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
   std::size_t most = 0;
   for (std::size_t seed = 0; seed < fuzz_cases(100); ++seed) {
-    ConstraintSystem drawn = octahedron.system;
-    drawn.random_sketch = seed;
-    const Figure sketch = *sketch_of(drawn);
-    Homotopy homotopy(octahedron.equations,
-                      linear_path(parameters_of(octahedron.system, sketch), wanted_of(octahedron)));
-    const SketchPath path = follow_sketch(homotopy, unknowns_of(octahedron, sketch), {});
+    SketchHomotopy homotopy = octahedron.homotopy(octahedron.random_sketch(seed));
+    const Path path = follow_path(homotopy.curve(), homotopy.start(), {});
     EXPECT_EQ(path.end, PathEnd::cycle) << "seed " << seed;
     EXPECT_EQ(path.crossings.size() % 2, 0U) << "seed " << seed;  // a closed curve
-    for (const Crossing& crossing : path.crossings) ASSERT_LT(crossing.residual, 1e-12) << "seed " << seed;
-    const std::size_t classes = distances_of(octahedron, path.crossings).size();
+    const std::size_t classes = distances_of(octahedron, homotopy, path.crossings).size();
     EXPECT_LE(classes, 4U) << "seed " << seed;  // by the box solver's proof
     most = std::max(most, classes);
   }
   EXPECT_EQ(most, 4U);
 }
 
-TEST(SketchPath, OfASingularSketchIsRefusedWithTheReason) {
-  const Figured octahedron = corpus_figure("octahedron");
+/// However it is tracked, the path is the same curve.
+TEST(PathTracker, CrossesTheSameWithEveryPredictorAndCorrector) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
+  for (std::uint64_t seed = 0; seed < fuzz_cases(10); ++seed) {
+    const Figure sketch = octahedron.random_sketch(seed);
+    const Path usual = path_of(octahedron, sketch);
+    const auto expect_the_same = [&](const TrackerOptions& options, const std::string& what) {
+      const Path path = path_of(octahedron, sketch, options);
+      EXPECT_EQ(path.end, usual.end) << what << " seed " << seed;
+      ASSERT_EQ(path.crossings.size(), usual.crossings.size()) << what << " seed " << seed;
+      for (std::size_t k = 0; k < path.crossings.size(); ++k) {
+        EXPECT_LT(distance(path.crossings[k].v, usual.crossings[k].v), 1e-9) << what << " seed " << seed;
+        EXPECT_NEAR(path.crossings[k].length, usual.crossings[k].length, 0.1 * usual.length) << what;
+      }
+    };
+    for (const PredictorKind& kind : predictor_registry().entries()) {
+      for (const CorrectorKind corrector :
+           {CorrectorKind::chord, CorrectorKind::newton, CorrectorKind::normal_flow})
+        expect_the_same({.predictor = kind.name, .corrector = {.kind = corrector}}, kind.name);
+    }
+    expect_the_same({.predictor = "euler",
+                     .corrector = {.kind = CorrectorKind::newton, .tolerance = 1e-10},
+                     .step_control = StepControl::fixed,
+                     .first_step = 0.02},
+                    "fixed steps");
+  }
+}
+
+TEST(PathTracker, OfASingularSketchIsRefusedWithTheReason) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
   Figure flat(6, std::vector<double>(3, 0.0));
   Random random(fuzz_seed(), "flat sketch");
   for (auto& point : flat) {
     for (std::size_t axis = 0; axis < 2; ++axis) point[axis] = random.uniform(-1, 1);
   }
-  Homotopy homotopy(octahedron.equations,
-                    linear_path(parameters_of(octahedron.system, flat), wanted_of(octahedron)));
-  EXPECT_NE(error_text([&] { follow_sketch(homotopy, unknowns_of(octahedron, flat), {}); }).find("singular"),
-            std::string::npos);
+  EXPECT_NE(error_text([&] { path_of(octahedron, flat); }).find("singular"), std::string::npos);
 }
 
-TEST(Homotopy, HasTheDerivativesThatDifferencesShow) {
-  const Figured pentahedron = corpus_figure("pentahedron");
-  Random random(fuzz_seed(), "homotopy");
-  for (const bool is_compact : {false, true}) {
-    std::vector<double> sketch;
-    for (std::size_t p = 0; p < pentahedron.system.parameters.size(); ++p)
-      sketch.push_back(random.uniform(0.5, 2));
-    const std::vector<double> wanted = wanted_of(pentahedron);
-    Homotopy homotopy(pentahedron.equations,
-                      is_compact ? compact_support_path(sketch, wanted, 3) : linear_path(sketch, wanted));
-    const std::size_t m = homotopy.size();
-    for (std::size_t n = 0; n < fuzz_cases(20); ++n) {
-      std::vector<double> v(m + 1), values(m), above(m), below(m);
-      for (double& x : v) x = random.uniform(-1, 1);
-      Matrix<double> derivatives(m, m + 1);
-      ASSERT_TRUE(homotopy.jacobian(v, values, derivatives));
-      for (std::size_t j = 0; j <= m; ++j) {
-        const double h = 1e-6, x = v[j];
-        v[j] = x + h;
-        ASSERT_TRUE(homotopy.values(v, above));
-        v[j] = x - h;
-        ASSERT_TRUE(homotopy.values(v, below));
-        v[j] = x;
-        for (std::size_t k = 0; k < m; ++k)
-          ASSERT_NEAR(derivatives(k, j), (above[k] - below[k]) / (2 * h), 1e-7);
-      }
-    }
+TEST(PathTracker, GoesRoundACircle) {
+  auto curve = circle();
+  const Path path = follow_path(curve, {2, 0}, {});
+  EXPECT_EQ(path.end, PathEnd::cycle);
+  EXPECT_NEAR(path.length, 4 * std::acos(-1.0), 0.1);  // by chords
+  ASSERT_EQ(path.crossings.size(), 2U);
+  EXPECT_NEAR(std::abs(path.crossings[0].v[0]), std::sqrt(3.0), 1e-14);
+  EXPECT_NEAR(path.crossings[0].v[0], -path.crossings[1].v[0], 1e-14);
+}
+
+/// A lemniscate through (0, 1/2), where its branches cross: a figure of eight that the path goes round whole.
+TEST(PathTracker, GoesStraightOnWhereBranchesCross) {
+  auto eight = ovals(0);
+  const Path path = follow_path(eight, {oval_start(0), 0}, {});
+  EXPECT_EQ(path.end, PathEnd::cycle);
+  ASSERT_EQ(path.branch_points.size(), 2U);
+  for (const BranchPoint& point : path.branch_points) {
+    EXPECT_NEAR(point.v[0], 0, 1e-8);
+    EXPECT_NEAR(point.v[1], 0.5, 1e-8);
+  }
+  EXPECT_EQ(path.crossings.size(), 2U);
+}
+
+/// Two branches that come near and turn away: the path must not go straight on.
+TEST(PathTracker, TurnsWhereBranchesOnlyComeNear) {
+  for (const double gap : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    auto curve = ovals(gap);
+    const Path path = follow_path(curve, {oval_start(gap), 0}, {});
+    EXPECT_EQ(path.end, PathEnd::cycle) << gap;
+    EXPECT_TRUE(path.branch_points.empty()) << gap;
+    EXPECT_TRUE(path.crossings.empty()) << gap;  // the other oval's
   }
 }
 
-TEST(ParameterPath, GoesFromTheSketchToWhatIsWanted) {
-  const std::vector<double> sketch = {1, 2.5, 0.1}, wanted = {3, 0.3, 0.7};
-  for (const auto& path : {linear_path(sketch, wanted), compact_support_path(sketch, wanted, 1)}) {
-    std::vector<double> values(3), derivatives(3), other(3), unused(3);
-    path->at(0, values, derivatives);
-    EXPECT_EQ(values, sketch);
-    path->at(1, values, derivatives);
-    EXPECT_EQ(values, wanted);
-    for (const double t : {-2.0, 0.3, 1.7}) {
-      path->at(t, values, derivatives);
-      path->at(t + 1e-6, other, unused);
-      for (std::size_t p = 0; p < 3; ++p) EXPECT_NEAR(derivatives[p], (other[p] - values[p]) / 1e-6, 1e-5);
-    }
-  }
-  std::vector<double> values(3), derivatives(3);
-  for (const double t : {-5.0, 6.0}) {
-    compact_support_path(sketch, wanted, 1)->at(t, values, derivatives);
-    EXPECT_LT(values[1], 0);  // a length that no figure has
+TEST(PathTracker, TellsInfinityAndUndefinedPoints) {
+  PlaneCurve hyperbola([]<class T>(const T& x, const T& t) {
+    return std::array<T, 3>{x * (t + T(1)) - T(1), t + T(1), x};
+  });
+  const Path away = follow_path(hyperbola, {1, 0}, {});
+  EXPECT_EQ(away.end, PathEnd::to_infinity);
+  EXPECT_EQ(away.other_end, PathEnd::to_infinity);
+  EXPECT_EQ(away.crossings.size(), 1U);
+  PlaneCurve root([]<class T>(const T& x, const T& t) {
+    return std::array<T, 3>{sqrt(T(2) - t) - x, T(-1), T(-0.5) / sqrt(T(2) - t)};
+  });
+  const Path ending = follow_path(root, {std::sqrt(2.0), 0}, {});
+  EXPECT_TRUE(ending.end == PathEnd::to_undefined || ending.other_end == PathEnd::to_undefined);
+}
+
+TEST(PathTracker, GoesOnFromAStateAsIfItHadNotStopped) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
+  SketchHomotopy homotopy = octahedron.homotopy(octahedron.random_sketch(2));
+  const std::vector<double>& start = homotopy.start();
+  std::vector<PathState> states;
+  const Path whole = follow_path(homotopy.curve(), start, {}, {},
+                                 {.observer = [&](const PathState& state) { states.push_back(state); }});
+  ASSERT_GT(states.size(), 20U);
+  for (const std::size_t k : {std::size_t{0}, states.size() / 2, states.size() - 2}) {
+    const Path rest = follow_path(homotopy.curve(), start, {}, {}, {.from = &states[k]});
+    EXPECT_EQ(rest.end, whole.end);
+    ASSERT_EQ(rest.crossings.size(), whole.crossings.size());
+    for (std::size_t c = 0; c < whole.crossings.size(); ++c)
+      EXPECT_LT(distance(rest.crossings[c].v, whole.crossings[c].v), 1e-12);
   }
 }
 

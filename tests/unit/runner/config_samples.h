@@ -47,6 +47,8 @@ inline std::vector<AcceptedSample> accepted_samples() {
       {"scalars_for_lists",
        "experiment: e\ntask: selftest\nproblems: suite:all\nmethods: [{name: succeed}]\nparameters: {depth: "
        "3}\nseeds: 7\n"},
+      {"seed_range",
+       "experiment: e\ntask: selftest\nproblems: one\nmethods: {name: succeed}\nseeds: [7, 1..3]\n"},
       {"number_as_name", "experiment: 4.5\ntask: selftest\nproblems: one\nmethods: {name: succeed}\n"},
       {"empty_report",
        "experiment: e\ntask: selftest\nproblems: one\nmethods: {name: succeed}\nreport: []\n"},
@@ -129,6 +131,7 @@ inline std::vector<RefusedSample> refused_samples() {
       {"negative_seed", start + "seeds: [-1]\n", "c.yaml:5: 'seeds[0]' is negative", true},
       {"seed_no_number", start + "seeds: x\n", "c.yaml:5: 'seeds' is 'x'; a whole number was expected", true},
       {"seed_quoted", start + "seeds: \"1\"\n", "a whole number was expected", true},
+      {"seed_range", start + "seeds: 9..2\n", "a range such as 0..99", false},
       {"seed_twice", start + "seeds: [1, 1]\n", "c.yaml:5: 'seeds[1]' is listed already", true},
       {"no_repetition", start + "repetitions: 0\n", "c.yaml:5: 'repetitions' is 0; expected 1 to 1000000",
        true},

@@ -60,6 +60,12 @@ TEST(ExperimentConfig, ReadsEveryKey) {
   EXPECT_EQ(config.limits, (Limits{60, 30.5, 2000}));
 }
 
+TEST(ExperimentConfig, ReadsRangesOfSeeds) {
+  const ExperimentConfig config =
+      parse("experiment: e\ntask: selftest\nproblems: one\nmethods: {name: succeed}\nseeds: [7, 1..3]\n");
+  EXPECT_EQ(config.seeds, (std::vector<std::uint64_t>{7, 1, 2, 3}));
+}
+
 TEST(ExperimentConfig, ReadsTablesAndFigures) {
   const ExperimentConfig config = parse(kFullConfig);
   ASSERT_EQ(config.report.size(), 3U);

@@ -1,0 +1,156 @@
+// Figure kind figures: what solved constraint systems look like, one panel a figure up to isometry.
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "experiments/reporting/class_alignment.h"
+#include "experiments/reporting/figure_registry.h"
+#include "experiments/reporting/figures_picture.h"
+#include "experiments/reporting/view_option.h"
+
+namespace gcslab {
+namespace {
+
+class FiguresKind {
+ public:
+  explicit FiguresKind(const FigureRequest& request)
+      : request_(request), row_axes_(request.item.rows), column_axes_(request.item.columns) {
+    if (!row_axes_.empty() || !column_axes_.empty()) return;
+    const bool has_methods = keys_on(request.rows, {"method"}).size() > 1;
+    column_axes_ = {has_methods ? "method" : "problem"};
+    if (has_methods) row_axes_ = {"problem"};
+  }
+
+  FigureScript draw() {
+    std::vector<std::string> axes = row_axes_;
+    axes.insert(axes.end(), column_axes_.begin(), column_axes_.end());
+    check_groups(request_.rows, axes, request_.item);
+    const std::vector<AxisKey> columns = keys_on(request_.rows, column_axes_);
+    const std::vector<AxisKey> lines = keys_on(request_.rows, row_axes_);
+    WireTable table;
+    for (const AxisKey& column : columns) table.headings.push_back(joined(column_axes_, column));
+    for (const AxisKey& line : lines) {
+      table.groups.push_back(group_of(axes, line, columns));
+      if (lines.size() > 1) table.groups.back().label = joined(row_axes_, line);
+    }
+    FigureScript script = draw_wire_table(table, style());
+    for (std::string& note : notes_on_missing(request_.rows)) script.notes.push_back(std::move(note));
+    if (!shows_sketches())
+      script.notes.emplace_back(
+          "One panel a figure up to isometry, with the solutions that are it; what is the same figure stands "
+          "in one line.");
+    const std::string depth = depth_note(table);
+    if (!depth.empty()) script.notes.push_back(depth);
+    return script;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(request_.item.where, "'" + request_.item.file + "': " + message);
+  }
+
+  static std::string joined(const std::vector<std::string>& axes, const AxisKey& key) {
+    std::string text;
+    for (std::size_t i = 0; i < key.size(); ++i) text += (i == 0 ? "" : ", ") + heading_of(axes[i], key[i]);
+    return text;
+  }
+
+  /// The figures of a row; null where it has no result.
+  const FigurePicture* picture_of(const Row* row) {
+    if (row == nullptr || !row->has_result()) return nullptr;
+    if (!row->artifact.is_object())
+      fail("the rows hold no figures of " + row->at("problem") +
+           "; kind figures is for the task solve on constraint systems, without recorded_boxes");
+    try {
+      FigurePicture picture = figure_picture_from_json(row->artifact);
+      if (shows_sketches()) turn_into_sketch(picture);
+      return &pictures_.emplace(row, std::move(picture)).first->second;
+    } catch (const InputError& error) {
+      fail(row->at("problem") + ": " + error.what());
+    }
+  }
+
+  bool shows_sketches() const { return request_.options.word("show") == "sketch"; }
+
+  /// The sketch as the one figure, with parameters by their names alone: it has other values.
+  static void turn_into_sketch(FigurePicture& picture) {
+    if (picture.sketch.empty()) throw InputError("the method has no sketch");
+    picture.figures = {{picture.sketch}};
+    const auto without_value = [](std::string& label) { label = label.substr(0, label.find(' ')); };
+    for (WireEdge& edge : picture.wires.edges) without_value(edge.label);
+    for (WireAngle& angle : picture.wires.angles) without_value(angle.label);
+  }
+
+  /// All figures of one row key.
+  WireGroup group_of(const std::vector<std::string>& axes, const AxisKey& line_key,
+                     const std::vector<AxisKey>& columns) {
+    std::vector<const Row*> rows;
+    std::vector<const FigurePicture*> pictures;
+    for (const AxisKey& column : columns) {
+      AxisKey key = line_key;
+      key.insert(key.end(), column.begin(), column.end());
+      const RowPointers found = rows_at(request_.rows, axes, key);
+      rows.push_back(found.empty() ? nullptr : found.front());
+      pictures.push_back(picture_of(rows.back()));
+    }
+    std::vector<AlignedLine> lines = aligned_classes(pictures);
+    if (lines.empty()) lines.emplace_back(columns.size());
+    WireGroup group;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      group.lines.emplace_back();
+      for (std::size_t column = 0; column < columns.size(); ++column)
+        group.lines.back().push_back(cell(lines[i][column], rows[column], pictures[column], i == 0));
+    }
+    return group;
+  }
+
+  WireCell cell(const std::optional<std::size_t>& figure, const Row* row, const FigurePicture* picture,
+                bool is_first) const {
+    if (figure)
+      return {.figure = wireframe_at(*picture, *figure),
+              .caption = shows_sketches() ? "" : solutions_text(picture->figures[*figure])};
+    if (picture != nullptr)
+      return {.figure = {}, .words = picture->figures.empty() && is_first ? "no figure" : "–"};
+    if (!is_first) return {};
+    std::string words = row == nullptr ? "no such job" : outcome_word(*row);
+    if (row != nullptr && !row->reason.empty()) words += ": " + row->reason;
+    return {.figure = {}, .words = words};
+  }
+
+  WireTableStyle style() const {
+    WireTableStyle style;
+    style.width = width_from(request_.options);
+    style.names = request_.options.flag("names");
+    style.values = request_.options.flag("values");
+    style.dimensions = request_.options.flag("dimensions");
+    style.view = view_from(request_);
+    return style;
+  }
+
+  const FigureRequest& request_;
+  std::vector<std::string> row_axes_, column_axes_;
+  std::map<const Row*, FigurePicture> pictures_;
+};
+
+}  // namespace
+
+FigureKind figures_kind() {
+  return {"figures",
+          "the figures of solved constraint systems: one panel a figure up to isometry, one column a column "
+          "key",
+          {{.name = "names", .meaning = "write the names of the points", .default_value = true},
+           {.name = "values",
+            .meaning = "in the plane, write the parameters at edges and angles",
+            .default_value = true},
+           {.name = "dimensions", .meaning = "write them in space too", .default_value = false},
+           choice_option("show", "the figures that are solutions, or the sketch of a method that has one",
+                         "solutions", {"solutions", "sketch"}),
+           view_option("best"),
+           width_option("page")},
+          [](const FigureRequest& request) { return FiguresKind(request).draw(); }};
+}
+
+}  // namespace gcslab

@@ -1,0 +1,34 @@
+#pragma once
+
+// A figure of points and edges in one panel: nearer edges darker and thicker, with a gap in what passes
+// behind them, faces shaded, points and parameters named.
+
+#include <string>
+
+#include "experiments/reporting/axonometry.h"
+#include "experiments/reporting/figure_script.h"
+
+namespace gcslab {
+
+struct WireLook {
+  View view;
+  bool names = true;        ///< of the points
+  bool values = true;       ///< at the edges and angles of figures in the plane
+  bool dimensions = false;  ///< also at those in space
+};
+
+/// The rectangle that a figure takes on paper, in its units.
+struct SeenBounds {
+  double left = 0, right = 0, bottom = 0, top = 0;
+
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+};
+SeenBounds seen_bounds(const Wireframe& figure, const View& view);
+
+/// Draws at `scale` millimetres a unit, the middle of the bounds in the middle of the panel. `name` says in
+/// the data whose figure it is.
+void draw_wireframe(FigureScript& script, const PanelBox& panel, const Wireframe& figure,
+                    const WireLook& look, double scale, const std::string& name);
+
+}  // namespace gcslab

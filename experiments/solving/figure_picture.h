@@ -1,0 +1,40 @@
+#pragma once
+
+// The figures of a solved constraint system, one a congruence class, as the JSON that a row of a run carries
+// to the drawings.
+
+#include <nlohmann/json.hpp>
+
+#include "box_solver/search.h"
+#include "experiments/corpus/problem.h"
+#include "experiments/solving/wireframe.h"
+
+namespace gcslab {
+
+struct PicturedFigure {
+  Figure points;
+  std::size_t solutions = 1;  ///< how many are the same figure up to isometry
+  bool is_certified = true;   ///< at least one of them
+};
+
+struct FigurePicture {
+  Wireframe wires;  ///< without coordinates
+  std::vector<PicturedFigure> figures;
+  Figure sketch{};  ///< in the frame; empty: none
+};
+
+FigurePicture figure_picture(const GeometricSource& source, const SearchResult& found);
+
+/// The points of a sketch, moved into the frame.
+Figure sketch_points(const GeometricSource& source, const Figure& sketch);
+
+/// Whether a figure of space lies in the plane z = 0, as flat figures in a frame do.
+bool is_flat(const Figure& figure);
+
+/// {"figures": {"names", "edges": [{"from", "to", "label", "guide"}], "faces", "angles", "classes":
+/// [{"points", "solutions", "certified"}], "sketch"}}.
+nlohmann::ordered_json to_json(const FigurePicture& picture);
+/// The inverse. Throws InputError when the JSON is no such thing.
+FigurePicture figure_picture_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace gcslab

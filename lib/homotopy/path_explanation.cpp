@@ -1,0 +1,63 @@
+#include "homotopy/path_explanation.h"
+
+#include <cmath>
+
+#include "geometry/degeneracies.h"
+
+namespace gcslab {
+namespace {
+
+constexpr double kNear = 1e-5;       ///< of what is special, in sizes of figures
+constexpr double kFar = 1e3;         ///< in the same, and of t
+constexpr double kStuckFar = 1e2;    ///< of where paths are stuck
+constexpr double kStuckNear = 1e-3;  ///< of what stops a path
+
+class Explanation {
+ public:
+  Explanation(const ConstraintSystem& system, const GeometricEquations& equations,
+              const SketchHomotopy& homotopy)
+      : system_(&system), equations_(&equations), homotopy_(&homotopy) {}
+
+  Degeneracies special(const std::vector<double>& v, double far = kFar) const {
+    return degeneracies_of(*system_, figure(v), homotopy_->extent(), kNear, far);
+  }
+
+  std::string end(PathEnd& end, const std::vector<double>& last) const {
+    if (end == PathEnd::cycle || end == PathEnd::budget || last.empty()) return "";
+    const Degeneracies found = special(last, end == PathEnd::stuck ? kStuckFar : kFar);
+    std::string text = text_of(found, *system_);
+    const bool is_t_far = std::abs(last.back()) > kFar;
+    if (is_t_far) text += text.empty() ? "t goes to infinity" : "; t goes to infinity";
+    if (end == PathEnd::stuck && (is_t_far || !found.far.empty())) end = PathEnd::to_infinity;
+    if (end == PathEnd::to_infinity) return text;
+    const auto rough = constraint_not_smooth_at(*system_, figure(last), homotopy_->extent(), kStuckNear);
+    if (!rough) return text;
+    end = PathEnd::to_undefined;
+    return system_->describe(system_->constraints[*rough]) + " is not smooth" +
+           (text.empty() ? "" : ": " + text);
+  }
+
+ private:
+  Figure figure(const std::vector<double>& v) const {
+    return figure_at(*equations_, homotopy_->curve().unknowns(v));
+  }
+
+  const ConstraintSystem* system_;
+  const GeometricEquations* equations_;
+  const SketchHomotopy* homotopy_;
+};
+
+}  // namespace
+
+PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
+                        const SketchHomotopy& homotopy) {
+  const Explanation explanation(system, equations, homotopy);
+  PathExplanation result;
+  for (const BranchPoint& point : path.branch_points)
+    result.branch_points.push_back(text_of(explanation.special(point.v), system));
+  result.end = explanation.end(path.end, path.last);
+  result.other_end = explanation.end(path.other_end, path.other_last);
+  return result;
+}
+
+}  // namespace gcslab
