@@ -84,15 +84,19 @@ std::optional<Box> KrawczykCertifier<T>::image(const Box& x, const ApproximateRo
   const std::vector<T> box = numbers(x);
   std::vector<T> centre;
   for (const double c : approximate.point) centre.push_back(number<T>(c));
-  if (!evaluator_.slopes(box, centre, slopes_)) return std::nullopt;
-  compute_residual(approximate.inverse);
+  // The image of a point is Newton's step, whatever the slopes.
+  const bool is_point = std::ranges::all_of(x, [](const Interval& side) { return side.lower == side.upper; });
+  if (!is_point) {
+    if (!evaluator_.slopes(box, centre, slopes_)) return std::nullopt;
+    compute_residual(approximate.inverse);
+  }
   std::vector<T> values(n, number<T>(0));
   evaluator_.values(centre, values);
   Box result;
   for (std::size_t i = 0; i < n; ++i) {
     T sum = centre[i];
     for (std::size_t k = 0; k < n; ++k) sum = sum - number<T>(approximate.inverse(i, k)) * values[k];
-    for (std::size_t j = 0; j < n; ++j) sum = sum + residual_(i, j) * (box[j] - centre[j]);
+    for (std::size_t j = 0; j < n && !is_point; ++j) sum = sum + residual_(i, j) * (box[j] - centre[j]);
     const Interval side = NumberTraits<T>::enclosure(sum);
     if (!is_bounded(side)) return std::nullopt;
     result.push_back(side);

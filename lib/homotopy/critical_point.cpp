@@ -27,28 +27,29 @@ class MooreSystem {
 
   /// One iteration; the length of the change, infinite where none is possible.
   double step() {
-    constexpr double kDifference = 1e-5;
+    constexpr double kDifference = 1e-6;
     const Eigen::VectorXd v = z_.head(m_ + 1), w = z_.segment(m_ + 1, m_);
     const double gap = z_[2 * m_ + 1];
     const Index n = 2 * m_ + 2;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd shifted = v;
     for (Index j = 0; j <= m_; ++j) {
-      Eigen::VectorXd shifted = v;
       shifted[j] = v[j] + kDifference;
       if (!evaluate(shifted)) return HUGE_VAL;
-      const Eigen::VectorXd above = jacobian_.transpose() * w;
-      shifted[j] = v[j] - kDifference;
-      if (!evaluate(shifted)) return HUGE_VAL;
-      matrix.block(m_, j, m_ + 1, 1) = (above - jacobian_.transpose() * w) / (2 * kDifference);
+      shifted[j] = v[j];
+      matrix.block(m_, j, m_ + 1, 1) = jacobian_.transpose() * w;
     }
     if (!evaluate(v)) return HUGE_VAL;
+    const Eigen::VectorXd combined = jacobian_.transpose() * w;
+    matrix.block(m_, 0, m_ + 1, m_ + 1).colwise() -= combined;
+    matrix.block(m_, 0, m_ + 1, m_ + 1) /= kDifference;
     matrix.topLeftCorner(m_, m_ + 1) = jacobian_;
     matrix.block(0, m_ + 1, m_, m_) = gap * Eigen::MatrixXd::Identity(m_, m_);
     matrix.block(0, n - 1, m_, 1) = w;
     matrix.block(m_, m_ + 1, m_ + 1, m_) = jacobian_.transpose();
     matrix.block(n - 1, m_ + 1, 1, m_) = 2 * w.transpose();
     Eigen::VectorXd right(n);
-    right << values_ + gap * w, jacobian_.transpose() * w, w.squaredNorm() - 1;
+    right << values_ + gap * w, combined, w.squaredNorm() - 1;
     const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
     z_ -= change;
     const double length = change.norm();

@@ -8,6 +8,12 @@
 #include "polynomial/recognise.h"
 
 namespace gcslab {
+namespace {
+
+/// With more terms a tape is faster. A volume of four points has 24.
+constexpr std::size_t kTerms = 60;
+
+}  // namespace
 
 Homotopy::Homotopy(const GeometricEquations& equations, std::unique_ptr<ParameterPath> path, double unit)
     : m_(equations.unknowns.size()),
@@ -43,7 +49,7 @@ void Homotopy::add(const Expression& equation, std::size_t row) {
     replacements[variables[i]] = graph->variable(static_cast<int>(i));
   const Expression local = substitute(equation, *graph, replacements);
   const int count = static_cast<int>(variables.size());
-  const Recognition recognition = recognise_polynomial(local, count, {.terms = 1000, .degree = 2});
+  const Recognition recognition = recognise_polynomial(local, count, {.terms = kTerms, .degree = 3});
   if (recognition.polynomial) {
     forms_.add(row, *recognition.polynomial, variables);
     return;

@@ -4,8 +4,8 @@
 //
 // A point of the curve is v = (x / unit, t) in R^(m+1), where the unit is the size of the sketch, so that
 // what follows the curve need not know whether lengths are in metres. Values and Jacobians are computed in
-// doubles: equations of degree 2, as squared distances are, from lists of coefficients, others from tapes,
-// one an equation, that see only the variables that occur in it.
+// doubles: equations of degree 2 and 3, as squared distances and volumes are, from lists of coefficients,
+// others from tapes, one an equation, that see only the variables that occur in it.
 
 #include <memory>
 #include <span>
@@ -13,9 +13,9 @@
 
 #include "expression/tape_evaluator.h"
 #include "geometry/geometric_equations.h"
+#include "homotopy/cubic_forms.h"
 #include "homotopy/curve.h"
 #include "homotopy/parameter_path.h"
-#include "homotopy/quadratic_forms.h"
 
 namespace gcslab {
 
@@ -73,8 +73,8 @@ class Homotopy final : public Curve {
 
   std::size_t m_;
   std::unique_ptr<ParameterPath> path_;
-  QuadraticForms forms_;
-  std::vector<Equation> equations_;  ///< those that are no quadratic forms
+  CubicForms forms_;
+  std::vector<Equation> equations_;  ///< those that are not in `forms_`
   SparsityPattern pattern_;
   std::vector<EquationOffset> offsets_;
   std::vector<double> weights_;      ///< of the equations

@@ -1,7 +1,7 @@
 #pragma once
 
-// Equations of degree at most 2, many at once, in doubles: most of a figure's equations are squared
-// distances, and a list of coefficients is read faster than a tape.
+// Equations of degree at most 3, many at once, in doubles: most of a figure's equations are squared distances
+// or volumes, and a list of coefficients is read faster than a tape.
 
 #include <cstdint>
 #include <span>
@@ -12,9 +12,9 @@
 
 namespace gcslab {
 
-class QuadraticForms {
+class CubicForms {
  public:
-  /// Form number `row` of the results, of total degree at most 2; `variables` are the places of the
+  /// Form number `row` of the results, of total degree at most 3; `variables` are the places of the
   /// polynomial's variables among all.
   void add(std::size_t row, const Polynomial& polynomial, std::span<const std::size_t> variables);
   /// Multiplies a form.
@@ -28,6 +28,10 @@ class QuadraticForms {
                        Matrix<double>& derivatives) const;
 
  private:
+  struct Cubic {
+    std::uint32_t row, i, j, k;
+    double coefficient;
+  };
   struct Product {
     std::uint32_t row, i, j;
     double coefficient;
@@ -40,6 +44,7 @@ class QuadraticForms {
     std::uint32_t row;
     double value;
   };
+  std::vector<Cubic> cubics_;
   std::vector<Product> products_;
   std::vector<Linear> linear_;
   std::vector<Constant> constants_;

@@ -1,13 +1,13 @@
-#include "homotopy/quadratic_forms.h"
+#include "homotopy/cubic_forms.h"
 
 #include "base/check.h"
 #include "interval/rational.h"
 
 namespace gcslab {
 
-void QuadraticForms::add(std::size_t row, const Polynomial& polynomial,
+void CubicForms::add(std::size_t row, const Polynomial& polynomial,
                          std::span<const std::size_t> variables) {
-  GCSLAB_CHECK(polynomial.total_degree() <= 2);
+  GCSLAB_CHECK(polynomial.total_degree() <= 3);
   const auto r = static_cast<std::uint32_t>(row);
   for (const auto& [exponents, rational] : polynomial.terms()) {
     const double coefficient = nearest_double(rational);
@@ -18,10 +18,14 @@ void QuadraticForms::add(std::size_t row, const Polynomial& polynomial,
     if (factors.empty()) constants_.push_back({r, coefficient});
     if (factors.size() == 1) linear_.push_back({r, factors[0], coefficient});
     if (factors.size() == 2) products_.push_back({r, factors[0], factors[1], coefficient});
+    if (factors.size() == 3) cubics_.push_back({r, factors[0], factors[1], factors[2], coefficient});
   }
 }
 
-void QuadraticForms::scale(std::size_t row, double factor) {
+void CubicForms::scale(std::size_t row, double factor) {
+  for (Cubic& cubic : cubics_) {
+    if (cubic.row == row) cubic.coefficient *= factor;
+  }
   for (Product& product : products_) {
     if (product.row == row) product.coefficient *= factor;
   }
@@ -33,13 +37,14 @@ void QuadraticForms::scale(std::size_t row, double factor) {
   }
 }
 
-void QuadraticForms::add_values(std::span<const double> x, std::span<double> result) const {
+void CubicForms::add_values(std::span<const double> x, std::span<double> result) const {
   for (const auto& [row, value] : constants_) result[row] += value;
   for (const auto& [row, i, coefficient] : linear_) result[row] += coefficient * x[i];
   for (const auto& [row, i, j, coefficient] : products_) result[row] += coefficient * x[i] * x[j];
+  for (const auto& [row, i, j, k, coefficient] : cubics_) result[row] += coefficient * x[i] * x[j] * x[k];
 }
 
-void QuadraticForms::add_derivatives(std::span<const double> x, std::span<const double> speed,
+void CubicForms::add_derivatives(std::span<const double> x, std::span<const double> speed,
                                      std::span<const std::size_t> column, std::span<double> result,
                                      Matrix<double>& derivatives) const {
   for (const auto& [row, value] : constants_) result[row] += value;
@@ -52,6 +57,13 @@ void QuadraticForms::add_derivatives(std::span<const double> x, std::span<const 
     result[row] += left * x[j];
     derivatives(row, column[i]) += right * speed[i];
     derivatives(row, column[j]) += left * speed[j];
+  }
+  for (const auto& [row, i, j, k, coefficient] : cubics_) {
+    const double left = coefficient * x[i], both = left * x[j];
+    result[row] += both * x[k];
+    derivatives(row, column[i]) += coefficient * x[j] * x[k] * speed[i];
+    derivatives(row, column[j]) += left * x[k] * speed[j];
+    derivatives(row, column[k]) += both * speed[k];
   }
 }
 
