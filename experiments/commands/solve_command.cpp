@@ -68,6 +68,7 @@ Json result_json(const Settings& settings, const Problem& problem, const SystemF
                  {"undecided", undecided_json(outcome.search)}};
   if (problem.geometry != nullptr) add_figures(result, *problem.geometry, outcome.search);
   if (!outcome.paths.empty()) add_paths(result, outcome.paths);
+  if (outcome.plan) add_plan(result, *outcome.plan);
   result["statistics"] = statistics;
   result["provenance"] = provenance(settings.seed, utc_now());
   if (!outcome.reason.empty()) result["reason"] = outcome.reason;

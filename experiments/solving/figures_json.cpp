@@ -23,8 +23,8 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
     const Path& path = followed.found.path;
     Json crossings = Json::array();
     for (std::size_t k = 0; k < path.crossings.size(); ++k) {
-      crossings.push_back(
-          {{"length", path.crossings[k].length}, {"solution", followed.found.solution_of_crossing[k]}});
+      crossings.push_back({{"length", path.crossings[k].length},
+                           {"solution", followed.numbers[followed.found.solution_of_crossing[k]]}});
       if (path.crossings[k].is_touching) crossings.back()["touching"] = true;
     }
     Json critical = Json::array();
@@ -44,6 +44,7 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
                                {"critical", std::move(critical)},
                                {"configuration", followed.explanation.end},
                                {"other_configuration", followed.explanation.other_end}});
+    if (!followed.origin.empty()) result["paths"].back()["sketch"] = followed.origin;
     if (path.tubes > 0) {
       Json& entry = result["paths"].back();
       entry["tubes"] = path.tubes;
@@ -53,10 +54,19 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
     for (std::size_t k = 0; k < followed.found.solutions.size(); ++k) {
       const SketchSolution& solution = followed.found.solutions[k];
       if (solution.root) continue;
-      result["solutions"][k]["jacobian_rank"] = solution.rank;
-      result["solutions"][k]["on_continuum"] = solution.is_on_continuum;
+      Json& entry = result["solutions"][followed.numbers[k]];
+      entry["jacobian_rank"] = solution.rank;
+      entry["on_continuum"] = solution.is_on_continuum;
     }
   }
+}
+
+void add_plan(Json& result, const PlanReport& plan) {
+  Json& entry = result["plan"];
+  entry = {
+      {"text", plan.lines}, {"guides", plan.guides}, {"choices", plan.choices}, {"removed", plan.removed}};
+  if (plan.sketches) entry["sketches"] = *plan.sketches;
+  if (plan.branch_changes) entry["branch_changes"] = *plan.branch_changes;
 }
 
 }  // namespace gcslab

@@ -16,4 +16,7 @@ void add_figures(Json& result, const GeometricSource& source, const SearchResult
 /// and to each solution without a certificate the rank of its Jacobian, and whether others are beside it.
 void add_paths(Json& result, const std::vector<FollowedPath>& paths);
 
+/// Adds "plan": the construction plan as lines of text, and what is counted of it.
+void add_plan(Json& result, const PlanReport& plan);
+
 }  // namespace gcslab

@@ -37,6 +37,7 @@ Status status_of(const SearchResult& found, Promise promise);
 SolveMethod univariate_method();
 SolveMethod angle_sum_method();
 std::vector<SolveMethod> sketch_path_methods();
+std::vector<SolveMethod> plan_methods();
 std::vector<SolveMethod> local_search_methods();
 std::vector<SolveMethod> peer_methods();
 

@@ -31,9 +31,20 @@ struct SolveSettings {
 };
 
 struct FollowedPath {
-  SketchSolutions found;  ///< its solutions are those of the outcome, in order
+  SketchSolutions found;
   PathExplanation explanation;
+  std::vector<std::size_t> numbers{};  ///< of its solutions among those of the outcome
   std::optional<TracedPath> trace{};
+  std::string origin{};  ///< of the sketch, where it is not the user's: "class 2, branch +-+"
+};
+
+/// What is told of a construction plan.
+struct PlanReport {
+  std::vector<std::string>
+      lines;  ///< as a text: instructions, guides, removed constraints, blocks that may escape
+  std::size_t guides = 0, choices = 0, removed = 0;
+  std::optional<std::size_t> sketches{};          ///< that its branches gave
+  std::optional<std::uint64_t> branch_changes{};  ///< on the path
 };
 
 struct SolveOutcome {
@@ -43,7 +54,8 @@ struct SolveOutcome {
   std::vector<FollowedPath> paths{};  ///< of methods that follow paths
   /// Of a peer that failed, was stopped or is not there; of a local search, why it found nothing.
   std::string reason{};
-  std::optional<std::uint64_t> steps{};  ///< of a path, or iterations of a local search
+  std::optional<std::uint64_t> steps{};  ///< of all paths, or iterations of a local search
+  std::optional<PlanReport> plan{};      ///< of methods that construct
 };
 
 /// Searches the problem's box, or what `start` holds of it; a peer starts at the beginning.

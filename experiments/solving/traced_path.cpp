@@ -78,10 +78,10 @@ Figure TracedPath::figure(const TracedPoint& point) const {
   return result;
 }
 
-TracedPath traced_path(const PathTrace& trace, const Path& path, const Homotopy& homotopy,
+TracedPath traced_path(const PathTrace& trace, const Path& path, const FigureCurve& curve,
                        const GeometricEquations& equations, std::size_t most) {
   const auto traced = [&](const std::vector<double>& v) {
-    return TracedPoint{homotopy.unknowns(v), v.back()};
+    return TracedPoint{curve.unknowns(v), v.back()};
   };
   TracedPath result{equations.unknowns, coordinates_of(equations), {}, 0, {}, {}};
   const PathTrace::Samples samples = trace.samples(most);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/geometric_equations.h"
-#include "homotopy/homotopy.h"
+#include "homotopy/figure_curve.h"
 #include "homotopy/path_trace.h"
 
 namespace gcslab {
@@ -29,7 +29,7 @@ struct TracedPath {
 };
 
 /// At most `most` points of what the trace noted, and what the path met.
-TracedPath traced_path(const PathTrace& trace, const Path& path, const Homotopy& homotopy,
+TracedPath traced_path(const PathTrace& trace, const Path& path, const FigureCurve& curve,
                        const GeometricEquations& equations, std::size_t most);
 
 /// {"unknowns", "coordinates", "points": [[x, .., t]], "sketch", "crossings", "critical"}; numbers with the

@@ -33,4 +33,29 @@ const Valuation& ConstraintSystem::valuation(const std::string& name) const {
   throw InputError(unknown_name_message("valuation", name, known));
 }
 
+ConstraintPlace ConstraintSystem::place(const Constraint& constraint,
+                                        const std::vector<Vector>& coordinates) const {
+  ConstraintPlace result{universe, {}};
+  for (const std::size_t k : constraint.objects)
+    result.objects.push_back(parts_of(objects[k].sort, universe, coordinates[k]));
+  return result;
+}
+
+std::vector<Vector> coordinate_variables(const ConstraintSystem& system, ExpressionGraph& graph) {
+  std::vector<Vector> result;
+  int count = 0;
+  for (const NamedObject& object : system.objects) {
+    Vector& variables = result.emplace_back();
+    for (std::size_t i = 0; i < coordinate_names(object.sort, system.universe).size(); ++i)
+      variables.push_back(graph.variable(count++));
+  }
+  return result;
+}
+
+std::vector<double> coordinates_in_order(const Figure& figure) {
+  std::vector<double> result;
+  for (const std::vector<double>& object : figure) result.insert(result.end(), object.begin(), object.end());
+  return result;
+}
+
 }  // namespace gcslab

@@ -58,6 +58,13 @@ struct ConstraintSystem {
   std::string describe(const Constraint& constraint) const;
   /// The valuation of that name; of the empty name, the default. Throws InputError with the nearest name.
   const Valuation& valuation(const std::string& name) const;
+  /// What a constraint is about, where these are the coordinates of all objects; without auxiliaries.
+  ConstraintPlace place(const Constraint& constraint, const std::vector<Vector>& coordinates) const;
 };
+
+/// Each coordinate of each object a variable of its own, numbered in order, and their values in a figure in
+/// the same order.
+std::vector<Vector> coordinate_variables(const ConstraintSystem& system, ExpressionGraph& graph);
+std::vector<double> coordinates_in_order(const Figure& figure);
 
 }  // namespace gcslab

@@ -168,22 +168,14 @@ std::string text_of(const Degeneracies& degeneracies, const ConstraintSystem& sy
 
 std::optional<std::size_t> constraint_not_smooth_at(const ConstraintSystem& system, const Figure& figure,
                                                     double unit, double tolerance) {
+  ExpressionGraph graph;
+  const std::vector<Vector> variables = coordinate_variables(system, graph);
+  const std::vector<double> coordinates = coordinates_in_order(figure);
   for (std::size_t c = 0; c < system.constraints.size(); ++c) {
     const Constraint& constraint = system.constraints[c];
     const Interpretation& chosen = constraint.kind->interpretations[constraint.interpretation];
     if (!chosen.not_smooth_at) continue;
-    ExpressionGraph graph;
-    ConstraintPlace place{system.universe, {}};
-    std::vector<double> coordinates;
-    for (const std::size_t k : constraint.objects) {
-      Vector variables;
-      for (const double x : figure[k]) {
-        variables.push_back(graph.variable(static_cast<int>(coordinates.size())));
-        coordinates.push_back(x);
-      }
-      place.objects.push_back(parts_of(system.objects[k].sort, system.universe, variables));
-    }
-    const std::vector<Expression> vanishing = chosen.not_smooth_at(place);
+    const std::vector<Expression> vanishing = chosen.not_smooth_at(system.place(constraint, variables));
     const Tape tape(vanishing, static_cast<int>(coordinates.size()));
     TapeEvaluator<double> evaluator(tape);
     evaluator.evaluate(coordinates);

@@ -75,15 +75,12 @@ GeometricEquations geometric_equations(const ConstraintSystem& system, const Fra
   result.universe = system.universe;
   result.parameters = system.parameters;
   name_coordinates(system, framed, result);
-  std::vector<ObjectParts<Expression>> objects;
-  for (std::size_t k = 0; k < result.objects.size(); ++k)
-    objects.push_back(parts_of(result.sorts[k], result.universe, result.objects[k]));
   const auto auxiliaries = name_auxiliaries(system, framed, result);
   for (std::size_t c = 0; c < system.constraints.size(); ++c) {
     if (framed.is_absorbed[c]) continue;
     const Constraint& constraint = system.constraints[c];
-    ConstraintPlace place{system.universe, {}, auxiliaries[c]};
-    for (const std::size_t k : constraint.objects) place.objects.push_back(objects[k]);
+    ConstraintPlace place = system.place(constraint, result.objects);
+    place.auxiliaries = auxiliaries[c];
     std::optional<Expression> parameter;
     if (constraint.parameter)
       parameter = result.graph->variable(static_cast<int>(result.unknowns.size() + *constraint.parameter));
@@ -93,7 +90,8 @@ GeometricEquations geometric_equations(const ConstraintSystem& system, const Fra
       result.constraint_of_equation.emplace_back(c);
     }
   }
-  for (const ObjectParts<Expression>& object : objects) add_normalisation(object, result);
+  for (std::size_t k = 0; k < result.objects.size(); ++k)
+    add_normalisation(parts_of(result.sorts[k], result.universe, result.objects[k]), result);
   return result;
 }
 

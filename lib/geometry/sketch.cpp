@@ -119,20 +119,13 @@ Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure) {
   std::vector<double> values(system.parameters.size(), 0.0);
   std::vector<bool> is_read(values.size(), false);
+  ExpressionGraph graph;
+  const std::vector<Vector> variables = coordinate_variables(system, graph);
+  const Numbers coordinates = coordinates_in_order(figure);
   for (const Constraint& constraint : system.constraints) {
     if (!constraint.parameter || is_read[*constraint.parameter]) continue;
-    ExpressionGraph graph;
-    ConstraintPlace place{system.universe, {}};
-    Numbers coordinates;
-    for (const std::size_t k : constraint.objects) {
-      Vector variables;
-      for (const double x : figure[k]) {
-        variables.push_back(graph.variable(static_cast<int>(coordinates.size())));
-        coordinates.push_back(x);
-      }
-      place.objects.push_back(parts_of(system.objects[k].sort, system.universe, variables));
-    }
-    const Tape tape(constraint.kind->measure(place), static_cast<int>(coordinates.size()));
+    const Tape tape(constraint.kind->measure(system.place(constraint, variables)),
+                    static_cast<int>(coordinates.size()));
     TapeEvaluator<double> evaluator(tape);
     evaluator.evaluate(coordinates);
     if (!std::isfinite(evaluator.value()))

@@ -5,8 +5,7 @@
 
 namespace gcslab {
 
-void CubicForms::add(std::size_t row, const Polynomial& polynomial,
-                         std::span<const std::size_t> variables) {
+void CubicForms::add(std::size_t row, const Polynomial& polynomial, std::span<const std::size_t> variables) {
   GCSLAB_CHECK(polynomial.total_degree() <= 3);
   const auto r = static_cast<std::uint32_t>(row);
   for (const auto& [exponents, rational] : polynomial.terms()) {
@@ -45,8 +44,8 @@ void CubicForms::add_values(std::span<const double> x, std::span<double> result)
 }
 
 void CubicForms::add_derivatives(std::span<const double> x, std::span<const double> speed,
-                                     std::span<const std::size_t> column, std::span<double> result,
-                                     Matrix<double>& derivatives) const {
+                                 std::span<const std::size_t> column, std::span<double> result,
+                                 Matrix<double>& derivatives) const {
   for (const auto& [row, value] : constants_) result[row] += value;
   for (const auto& [row, i, coefficient] : linear_) {
     result[row] += coefficient * x[i];

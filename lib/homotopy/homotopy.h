@@ -14,7 +14,7 @@
 #include "expression/tape_evaluator.h"
 #include "geometry/geometric_equations.h"
 #include "homotopy/cubic_forms.h"
-#include "homotopy/curve.h"
+#include "homotopy/figure_curve.h"
 #include "homotopy/parameter_path.h"
 
 namespace gcslab {
@@ -25,7 +25,7 @@ struct EquationOffset {
   double start, leading;
 };
 
-class Homotopy final : public Curve {
+class Homotopy final : public FigureCurve {
  public:
   /// The equations are as many as the unknowns. One thread uses it at a time.
   Homotopy(const GeometricEquations& equations, std::unique_ptr<ParameterPath> path, double unit = 1);
@@ -41,7 +41,7 @@ class Homotopy final : public Curve {
 
   /// The point (x / unit, t) of the unknowns x, and back.
   std::vector<double> point(std::span<const double> unknowns, double t) const;
-  std::vector<double> unknowns(std::span<const double> v) const;
+  std::vector<double> unknowns(std::span<const double> v) const override;
 
   /// Multiplies each equation by a number, so that the rows of the Jacobian at v have entries up to 1.
   void balance(std::span<const double> v);

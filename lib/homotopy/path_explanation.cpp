@@ -14,12 +14,12 @@ constexpr double kStuckNear = 1e-3;  ///< of what stops a path
 
 class Explanation {
  public:
-  Explanation(const ConstraintSystem& system, const GeometricEquations& equations,
-              const SketchHomotopy& homotopy)
-      : system_(&system), equations_(&equations), homotopy_(&homotopy) {}
+  Explanation(const ConstraintSystem& system, const GeometricEquations& equations, const FigureCurve& curve,
+              double extent)
+      : system_(&system), equations_(&equations), curve_(&curve), extent_(extent) {}
 
   Degeneracies special(const std::vector<double>& v, double far = kFar) const {
-    return degeneracies_of(*system_, figure(v), homotopy_->extent(), kNear, far);
+    return degeneracies_of(*system_, figure(v), extent_, kNear, far);
   }
 
   std::string end(PathEnd& end, const std::vector<double>& last) const {
@@ -30,7 +30,7 @@ class Explanation {
     if (is_t_far) text += text.empty() ? "t goes to infinity" : "; t goes to infinity";
     if (end == PathEnd::stuck && (is_t_far || !found.far.empty())) end = PathEnd::to_infinity;
     if (end == PathEnd::to_infinity) return text;
-    const auto rough = constraint_not_smooth_at(*system_, figure(last), homotopy_->extent(), kStuckNear);
+    const auto rough = constraint_not_smooth_at(*system_, figure(last), extent_, kStuckNear);
     if (!rough) return text;
     end = PathEnd::to_undefined;
     return system_->describe(system_->constraints[*rough]) + " is not smooth" +
@@ -38,20 +38,19 @@ class Explanation {
   }
 
  private:
-  Figure figure(const std::vector<double>& v) const {
-    return figure_at(*equations_, homotopy_->curve().unknowns(v));
-  }
+  Figure figure(const std::vector<double>& v) const { return figure_at(*equations_, curve_->unknowns(v)); }
 
   const ConstraintSystem* system_;
   const GeometricEquations* equations_;
-  const SketchHomotopy* homotopy_;
+  const FigureCurve* curve_;
+  double extent_;
 };
 
 }  // namespace
 
 PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
-                        const SketchHomotopy& homotopy) {
-  const Explanation explanation(system, equations, homotopy);
+                        const FigureCurve& curve, double extent) {
+  const Explanation explanation(system, equations, curve, extent);
   PathExplanation result;
   for (const BranchPoint& point : path.branch_points)
     result.branch_points.push_back(text_of(explanation.special(point.v), system));

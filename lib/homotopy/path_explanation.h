@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/geometric_equations.h"
+#include "homotopy/figure_curve.h"
 #include "homotopy/path_tracker.h"
-#include "homotopy/sketch_homotopy.h"
 
 namespace gcslab {
 
@@ -17,8 +18,8 @@ struct PathExplanation {
 
 /// Names what is special about the figures of branch points and ends, and tells more of the ends: a path that
 /// is stuck on figures of which points are far away goes to infinity, and one that is stuck where the
-/// equations are not smooth, to an undefined point.
+/// equations are not smooth, to an undefined point. `extent` is the size of usual figures on the path.
 PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
-                        const SketchHomotopy& homotopy);
+                        const FigureCurve& curve, double extent);
 
 }  // namespace gcslab

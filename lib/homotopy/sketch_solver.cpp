@@ -44,25 +44,25 @@ bool is_same(const SketchSolution& solution, const std::vector<double>& point) {
 
 }  // namespace
 
-SketchSolutions solve_along_path(Homotopy& homotopy, Curve& curve, const std::vector<double>& start,
+SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::vector<double>& start,
                                  const SystemFunctions& wanted, const TrackerOptions& options,
                                  const std::string& certifier, const std::stop_token& stop,
                                  const PathAids& aids) {
   SketchSolutions result;
   result.path = follow_path(curve, start, options, stop, aids);
   std::erase_if(result.path.crossings, [&](const Crossing& crossing) {
-    return is_outside(homotopy.unknowns(crossing.v), wanted.system().box);
+    return is_outside(figures.unknowns(crossing.v), wanted.system().box);
   });
   PointCertifier prover(wanted, certifier);
   for (const Crossing& crossing : result.path.crossings) {
-    const std::vector<double> unknowns = homotopy.unknowns(crossing.v);
+    const std::vector<double> unknowns = figures.unknowns(crossing.v);
     const auto known =
         std::ranges::find_if(result.solutions, [&](const SketchSolution& s) { return is_same(s, unknowns); });
     result.solution_of_crossing.push_back(static_cast<std::size_t>(known - result.solutions.begin()));
     if (known != result.solutions.end()) continue;
-    const bool is_regular = crossing.rank == homotopy.size();
+    const bool is_regular = crossing.rank == figures.size();
     result.solutions.push_back({unknowns, is_regular ? prover.certify(unknowns) : std::nullopt, crossing.rank,
-                                !is_regular && lies_on_continuum(homotopy, crossing.v)});
+                                !is_regular && lies_on_continuum(figures, crossing.v)});
   }
   return result;
 }

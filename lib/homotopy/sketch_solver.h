@@ -8,7 +8,7 @@
 
 #include "certification/root_certificate.h"
 #include "certification/system_functions.h"
-#include "homotopy/homotopy.h"
+#include "homotopy/figure_curve.h"
 #include "homotopy/path_tracker.h"
 
 namespace gcslab {
@@ -27,10 +27,10 @@ struct SketchSolutions {
 };
 
 /// Follows the path through `start`, a point with t = 0, and certifies what it crosses in the box of
-/// `wanted`; other crossings are dropped, as those where a radius is negative. `curve` is the homotopy,
-/// perhaps with other derivatives. `wanted` are the equations with the values at t = 1; `certifier` names
-/// theorems (certification/root_certifier.h).
-SketchSolutions solve_along_path(Homotopy& homotopy, Curve& curve, const std::vector<double>& start,
+/// `wanted`; other crossings are dropped, as those where a radius is negative. `curve` is that of the
+/// figures, perhaps with other derivatives. `wanted` are the equations with the values at t = 1; `certifier`
+/// names theorems (certification/root_certifier.h).
+SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::vector<double>& start,
                                  const SystemFunctions& wanted, const TrackerOptions& options,
                                  const std::string& certifier, const std::stop_token& stop = {},
                                  const PathAids& aids = {});

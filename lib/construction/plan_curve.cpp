@@ -1,0 +1,140 @@
+#include "construction/plan_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "geometry/figure_projection.h"
+#include "geometry/sketch.h"
+
+namespace gcslab {
+namespace {
+
+double value_of(double x) { return x; }
+template <std::size_t N>
+double value_of(const Jet<N>& x) {
+  return x.value;
+}
+
+}  // namespace
+
+PlanCurve::PlanCurve(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
+                     const PlanProgram& program, const ParameterPath& path, const PlanValues& start,
+                     std::vector<double> leading, double unit)
+    : system_(&system),
+      frame_(frame),
+      equations_(&equations),
+      program_(&program),
+      path_(&path),
+      m_(program.plan().guides.size() + program.plan().choices()),
+      offsets_(start.offsets),
+      leading_(std::move(leading)),
+      unit_(unit),
+      weights_(m_, 1.0),
+      run_(program),
+      jets_(program),
+      parameters_(program.parameters()),
+      speeds_(program.parameters()),
+      jet_values_(m_) {
+  const std::size_t guides = program.plan().guides.size(), removed = program.plan().removed.size();
+  if (guides != removed)
+    throw NotApplicable("the construction plan has " + std::to_string(guides) +
+                        " guide parameters and removes " + std::to_string(removed) +
+                        " constraints: the system is not well-constrained");
+  for (const double guide : start.guides) start_.push_back(guide / unit);
+  for (const double height : start.heights) start_.push_back(height / unit);
+  start_.push_back(0);
+  std::vector<double> values(m_);
+  Matrix<double> derivatives(m_, m_ + 1);
+  if (!jacobian(start_, values, derivatives)) return;
+  for (std::size_t k = 0; k < m_; ++k) {
+    double largest = 0;
+    for (const double d : derivatives.row(k)) largest = std::max(largest, std::abs(d));
+    if (largest > 0) weights_[k] = 1 / largest;
+  }
+}
+
+/// `seed` makes numbers with derivatives: of a value that moves with coordinate number `column` of the curve
+/// at that speed.
+template <class T, class Seed>
+bool PlanCurve::carry_out(PlanRun<T>& run, std::span<const double> v, const Seed& seed,
+                          std::span<T> result) const {
+  const std::size_t guides = program_->plan().guides.size();
+  const double t = v[m_];
+  path_->at(t, parameters_, speeds_);
+  std::vector<T>& x = run.variables();
+  for (std::size_t p = 0; p < parameters_.size(); ++p)
+    x[program_->parameter(p)] = seed(parameters_[p], m_, speeds_[p]);
+  for (std::size_t c = 0; c < offsets_.size(); ++c)
+    x[program_->offset(c)] =
+        seed((1 - t) * (offsets_[c] + leading_[c] * t), m_, leading_[c] * (1 - 2 * t) - offsets_[c]);
+  for (std::size_t g = 0; g < guides; ++g) x[program_->guide(g)] = seed(unit_ * v[g], g, unit_);
+  const std::vector<StepFormulas>& steps = program_->steps();
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (steps[k].form == StepForm::origin) continue;
+    run.prepare(k);
+    T height = seed(0, m_, 0);
+    if (steps[k].form == StepForm::on_axis && !(value_of(run.radicand(k)) > 0)) return false;
+    if (steps[k].form == StepForm::two_places) {
+      const std::size_t column = guides + *steps[k].choice;
+      height = seed(unit_ * v[column], column, unit_);
+      result[*steps[k].choice] = sqr(height) - run.radicand(k);
+      if (!std::isfinite(value_of(result[*steps[k].choice]))) return false;
+    }
+    run.place(k, height);
+  }
+  run.compute_removed();
+  for (std::size_t r = 0; r < guides; ++r) {
+    const T& value = result[program_->plan().choices() + r] = run.removed(r);
+    if (!std::isfinite(value_of(value))) return false;
+  }
+  return true;
+}
+
+bool PlanCurve::values(std::span<const double> v, std::span<double> result) {
+  const auto seed = [](double value, std::size_t, double) { return value; };
+  if (!carry_out(run_, v, seed, result)) return false;
+  for (std::size_t k = 0; k < m_; ++k) result[k] *= weights_[k];
+  return true;
+}
+
+bool PlanCurve::jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) {
+  for (std::size_t first = 0; first <= m_; first += kSlopes) {
+    const auto seed = [first](double value, std::size_t column, double speed) {
+      Jet<kSlopes> jet{value, {}};
+      if (column >= first && column < first + kSlopes) jet.slopes[column - first] = speed;
+      return jet;
+    };
+    if (!carry_out(jets_, v, seed, std::span(jet_values_))) return false;
+    for (std::size_t k = 0; k < m_; ++k) {
+      result[k] = weights_[k] * jet_values_[k].value;
+      for (std::size_t j = first; j <= m_ && j < first + kSlopes; ++j)
+        derivatives(k, j) = weights_[k] * jet_values_[k].slopes[j - first];
+    }
+  }
+  return true;
+}
+
+std::vector<double> PlanCurve::heights(std::span<const double> v) const {
+  std::vector<double> result;
+  for (std::size_t k = program_->plan().guides.size(); k < m_; ++k) result.push_back(unit_ * v[k]);
+  return result;
+}
+
+std::vector<double> PlanCurve::unknowns(std::span<const double> v) const {
+  std::vector<double> unused(m_);
+  const auto seed = [](double value, std::size_t, double) { return value; };
+  carry_out(run_, v, seed, std::span(unused));
+  const std::size_t d = program_->dimension();
+  Figure figure;
+  for (std::size_t p = 0; p < program_->points(); ++p) {
+    const auto first = run_.variables().begin() + static_cast<std::ptrdiff_t>(p * d);
+    figure.emplace_back(first, first + static_cast<std::ptrdiff_t>(d));
+  }
+  std::vector<double> result = unknowns_of(*equations_, in_frame(*system_, frame_, figure));
+  if (equations_->auxiliaries > 0)
+    result = fit_auxiliaries(*system_, *equations_, std::move(result)).unknowns;
+  return result;
+}
+
+}  // namespace gcslab
