@@ -8,41 +8,25 @@
 #include "geometry/sketch.h"
 
 namespace gcslab {
-namespace {
-
-double value_of(double x) { return x; }
-template <std::size_t N>
-double value_of(const Jet<N>& x) {
-  return x.value;
-}
-
-}  // namespace
-
 PlanCurve::PlanCurve(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
-                     const PlanProgram& program, const ParameterPath& path, const PlanValues& start,
-                     std::vector<double> leading, double unit)
+                     const PlanMotion& motion, const PlanValues& start)
     : system_(&system),
       frame_(frame),
       equations_(&equations),
-      program_(&program),
-      path_(&path),
-      m_(program.plan().guides.size() + program.plan().choices()),
-      offsets_(start.offsets),
-      leading_(std::move(leading)),
-      unit_(unit),
+      motion_(&motion),
+      program_(&motion.program()),
+      m_(motion.guides() + program_->plan().choices()),
       weights_(m_, 1.0),
-      run_(program),
-      jets_(program),
-      parameters_(program.parameters()),
-      speeds_(program.parameters()),
+      run_(*program_),
+      jets_(*program_),
       jet_values_(m_) {
-  const std::size_t guides = program.plan().guides.size(), removed = program.plan().removed.size();
+  const std::size_t guides = motion.guides(), removed = program_->plan().removed.size();
   if (guides != removed)
     throw NotApplicable("the construction plan has " + std::to_string(guides) +
                         " guide parameters and removes " + std::to_string(removed) +
                         " constraints: the system is not well-constrained");
-  for (const double guide : start.guides) start_.push_back(guide / unit);
-  for (const double height : start.heights) start_.push_back(height / unit);
+  for (const double guide : start.guides) start_.push_back(guide / motion.unit());
+  for (const double height : start.heights) start_.push_back(height / motion.unit());
   start_.push_back(0);
   std::vector<double> values(m_);
   Matrix<double> derivatives(m_, m_ + 1);
@@ -59,34 +43,27 @@ PlanCurve::PlanCurve(const ConstraintSystem& system, const Frame& frame, const G
 template <class T, class Seed>
 bool PlanCurve::carry_out(PlanRun<T>& run, std::span<const double> v, const Seed& seed,
                           std::span<T> result) const {
-  const std::size_t guides = program_->plan().guides.size();
-  const double t = v[m_];
-  path_->at(t, parameters_, speeds_);
-  std::vector<T>& x = run.variables();
-  for (std::size_t p = 0; p < parameters_.size(); ++p)
-    x[program_->parameter(p)] = seed(parameters_[p], m_, speeds_[p]);
-  for (std::size_t c = 0; c < offsets_.size(); ++c)
-    x[program_->offset(c)] =
-        seed((1 - t) * (offsets_[c] + leading_[c] * t), m_, leading_[c] * (1 - 2 * t) - offsets_[c]);
-  for (std::size_t g = 0; g < guides; ++g) x[program_->guide(g)] = seed(unit_ * v[g], g, unit_);
+  const std::size_t guides = motion_->guides();
+  const double unit = motion_->unit();
+  motion_->set(run, v.first(guides), v[m_], m_, seed);
   const std::vector<StepFormulas>& steps = program_->steps();
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (steps[k].form == StepForm::origin) continue;
     run.prepare(k);
     T height = seed(0, m_, 0);
-    if (steps[k].form == StepForm::on_axis && !(value_of(run.radicand(k)) > 0)) return false;
+    if (steps[k].form == StepForm::on_axis && !(point_value(run.radicand(k)) > 0)) return false;
     if (steps[k].form == StepForm::two_places) {
       const std::size_t column = guides + *steps[k].choice;
-      height = seed(unit_ * v[column], column, unit_);
+      height = seed(unit * v[column], column, unit);
       result[*steps[k].choice] = sqr(height) - run.radicand(k);
-      if (!std::isfinite(value_of(result[*steps[k].choice]))) return false;
+      if (!std::isfinite(point_value(result[*steps[k].choice]))) return false;
     }
     run.place(k, height);
   }
   run.compute_removed();
   for (std::size_t r = 0; r < guides; ++r) {
     const T& value = result[program_->plan().choices() + r] = run.removed(r);
-    if (!std::isfinite(value_of(value))) return false;
+    if (!std::isfinite(point_value(value))) return false;
   }
   return true;
 }
@@ -117,7 +94,7 @@ bool PlanCurve::jacobian(std::span<const double> v, std::span<double> result, Ma
 
 std::vector<double> PlanCurve::heights(std::span<const double> v) const {
   std::vector<double> result;
-  for (std::size_t k = program_->plan().guides.size(); k < m_; ++k) result.push_back(unit_ * v[k]);
+  for (std::size_t k = motion_->guides(); k < m_; ++k) result.push_back(motion_->unit() * v[k]);
   return result;
 }
 

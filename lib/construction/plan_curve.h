@@ -11,22 +11,19 @@
 // choices dimensions.
 
 #include "construction/branch.h"
+#include "construction/plan_motion.h"
 #include "geometry/geometric_equations.h"
 #include "homotopy/figure_curve.h"
-#include "homotopy/parameter_path.h"
 #include "interval/jet.h"
 
 namespace gcslab {
 
 class PlanCurve final : public FigureCurve {
  public:
-  /// `start` are the values read off a figure: its parameters are those of the path at 0. Offsets of
-  /// constraints go from there to 0 as (1 - t) (offset + leading t), with a leading coefficient each. All
-  /// that is given must outlive it. Throws NotApplicable unless the removed constraints are as many as the
-  /// guides.
+  /// `start` are the guides and heights of a figure, with the parameters and offsets of t = 0. All that is
+  /// given must outlive it. Throws NotApplicable unless the removed constraints are as many as the guides.
   PlanCurve(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
-            const PlanProgram& program, const ParameterPath& path, const PlanValues& start,
-            std::vector<double> leading, double unit);
+            const PlanMotion& motion, const PlanValues& start);
 
   std::size_t size() const override { return m_; }
   bool values(std::span<const double> v, std::span<double> result) override;
@@ -48,16 +45,13 @@ class PlanCurve final : public FigureCurve {
   const ConstraintSystem* system_;
   Frame frame_;
   const GeometricEquations* equations_;
+  const PlanMotion* motion_;
   const PlanProgram* program_;
-  const ParameterPath* path_;
   std::size_t m_;
-  std::vector<double> offsets_, leading_;
-  double unit_;
   std::vector<double> weights_;  ///< of the equations
   std::vector<double> start_;
   mutable PlanRun<double> run_;
   PlanRun<Jet<kSlopes>> jets_;
-  mutable std::vector<double> parameters_, speeds_;
   std::vector<Jet<kSlopes>> jet_values_;
 };
 

@@ -1,5 +1,7 @@
 #include "construction/plan_homotopy.h"
 
+#include <utility>
+
 namespace gcslab {
 
 PlanHomotopy::PlanHomotopy(const ConstraintSystem& system, const Frame& frame,
@@ -10,20 +12,19 @@ PlanHomotopy::PlanHomotopy(const ConstraintSystem& system, const Frame& frame,
   program_.emplace(system, make_plan(system, kind, figure));
   std::vector<double> parameters(system.parameters.size()), speeds(parameters.size());
   homotopy.path().at(0, parameters, speeds);
-  PlanValues start = PlanEvaluator(*program_).read(in_frame(system, program_->plan(), figure), parameters);
-  std::vector<double> leading(start.offsets.size(), 0.0);
-  std::vector<bool> moves(start.offsets.size(), false);
+  start_ = PlanEvaluator(*program_).read(in_frame(system, program_->plan(), figure), parameters);
+  // Constraints that do not move hold all along, and what was read of them are rounding errors.
+  const std::vector<double> read = std::exchange(start_.offsets, std::vector(start_.offsets.size(), 0.0));
+  std::vector<double> leading(read.size(), 0.0);
   for (const EquationOffset& offset : homotopy.offsets()) {
     const std::optional<std::size_t> constraint = equations.constraint_of_equation[offset.equation];
     if (!constraint) continue;
-    moves[*constraint] = true;
+    start_.offsets[*constraint] = read[*constraint];
     leading[*constraint] = offset.leading / homotopy.weights()[offset.equation];
   }
-  for (std::size_t c = 0; c < moves.size(); ++c) {
-    if (!moves[c]) start.offsets[c] = 0;  // rounding errors
-  }
-  curve_.emplace(system, frame, equations, *program_, homotopy.path(), start, std::move(leading),
-                 sketched.unit());
+  motion_.emplace(*program_, homotopy.path(), OffsetMotion{start_.offsets, std::move(leading)},
+                  sketched.unit());
+  curve_.emplace(system, frame, equations, *motion_, start_);
 }
 
 }  // namespace gcslab

@@ -17,11 +17,16 @@ class PlanHomotopy {
                const SketchHomotopy& sketched, PlanKind kind);
 
   const PlanProgram& program() const { return *program_; }
+  const PlanMotion& motion() const { return *motion_; }
+  /// What the sketch shows.
+  const PlanValues& start() const { return start_; }
   PlanCurve& curve() { return *curve_; }
   const PlanCurve& curve() const { return *curve_; }
 
  private:
   std::optional<PlanProgram> program_;
+  std::optional<PlanMotion> motion_;
+  PlanValues start_;
   std::optional<PlanCurve> curve_;
 };
 

@@ -18,6 +18,13 @@ struct Jet {
   std::array<double, N> slopes{};
 };
 
+/// The value without its derivatives; of a double itself.
+inline double point_value(double x) { return x; }
+template <std::size_t N>
+double point_value(const Jet<N>& x) {
+  return x.value;
+}
+
 /// f(x) where f has that value and that derivative at x.
 template <std::size_t N>
 Jet<N> chain(const Jet<N>& x, double value, double slope) {
