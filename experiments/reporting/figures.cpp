@@ -82,6 +82,7 @@ class FiguresKind {
     const auto without_value = [](std::string& label) { label = label.substr(0, label.find(' ')); };
     for (WireEdge& edge : picture.wires.edges) without_value(edge.label);
     for (WireAngle& angle : picture.wires.angles) without_value(angle.label);
+    for (WireMeasure& measure : picture.wires.measures) without_value(measure.label);
   }
 
   /// All figures of one row key.

@@ -9,7 +9,7 @@ namespace gcslab {
 namespace {
 
 bool is_plane(const FigurePicture& picture) {
-  return !picture.figures.empty() && picture.figures.front().points.front().size() == 2;
+  return !picture.figures.empty() && wireframe_at(picture, 0).universe() == Universe::plane;
 }
 
 /// Lengths at the edges need room.
@@ -27,13 +27,11 @@ WireGroup group_of(const FigurePicture& picture) {
 
 std::string solutions_text(const PicturedFigure& figure) {
   return fmt::format("{} solution{}{}{}", figure.solutions, figure.solutions == 1 ? "" : "s",
-                     is_flat(figure.points) ? ", flat" : "", figure.is_certified ? "" : ", not certified");
+                     is_flat(figure.places) ? ", flat" : "", figure.is_certified ? "" : ", not certified");
 }
 
 Wireframe wireframe_at(const FigurePicture& picture, std::size_t number) {
-  Wireframe figure = picture.wires;
-  figure.points = picture.figures[number].points;
-  return figure;
+  return picture.wires.at(picture.figures[number].places);
 }
 
 FigureScript draw_figures(const FigurePicture& picture, const std::string& title) {
