@@ -30,18 +30,25 @@ class FiguresKind {
     check_groups(request_.rows, axes, request_.item);
     const std::vector<AxisKey> columns = keys_on(request_.rows, column_axes_);
     const std::vector<AxisKey> lines = keys_on(request_.rows, row_axes_);
+    const std::size_t per_line = columns.size() == 1 ? figures_per_line() : 1;
     WireTable table;
-    for (const AxisKey& column : columns) table.headings.push_back(joined(column_axes_, column));
+    if (per_line > 1) {
+      table.title = joined(column_axes_, columns.front());
+    } else {
+      for (const AxisKey& column : columns) table.headings.push_back(joined(column_axes_, column));
+    }
     for (const AxisKey& line : lines) {
       table.groups.push_back(group_of(axes, line, columns));
+      if (per_line > 1) table.groups.back() = in_lines(all_cells(table.groups.back()), per_line);
       if (lines.size() > 1) table.groups.back().label = joined(row_axes_, line);
     }
     FigureScript script = draw_wire_table(table, style());
     for (std::string& note : notes_on_missing(request_.rows)) script.notes.push_back(std::move(note));
-    if (!shows_sketches())
-      script.notes.emplace_back(
-          "One panel a figure up to isometry, with the solutions that are it; what is the same figure stands "
-          "in one line.");
+    if (!shows_sketches()) {
+      std::string note = "One panel a figure up to isometry, with the solutions that are it";
+      if (columns.size() > 1) note += "; what is the same figure stands in one line";
+      script.notes.push_back(note + ".");
+    }
     const std::string depth = depth_note(table);
     if (!depth.empty()) script.notes.push_back(depth);
     return script;
@@ -71,6 +78,16 @@ class FiguresKind {
     } catch (const InputError& error) {
       fail(row->at("problem") + ": " + error.what());
     }
+  }
+
+  std::size_t figures_per_line() const {
+    return static_cast<std::size_t>(request_.options.integer("per_line"));
+  }
+
+  static std::vector<WireCell> all_cells(const WireGroup& group) {
+    std::vector<WireCell> cells;
+    for (const auto& line : group.lines) cells.insert(cells.end(), line.begin(), line.end());
+    return cells;
   }
 
   bool shows_sketches() const { return request_.options.word("show") == "sketch"; }
@@ -142,13 +159,14 @@ FigureKind figures_kind() {
   return {"figures",
           "the figures of solved constraint systems: one panel a figure up to isometry, one column a column "
           "key",
-          {{.name = "names", .meaning = "write the names of the points", .default_value = true},
+          {{.name = "names", .meaning = "write the names of points and objects", .default_value = true},
            {.name = "values",
-            .meaning = "in the plane, write the parameters at edges and angles",
+            .meaning = "in the plane, write the parameters at edges, angles and objects",
             .default_value = true},
            {.name = "dimensions", .meaning = "write them in space too", .default_value = false},
            choice_option("show", "the figures that are solutions, or the sketch of a method that has one",
                          "solutions", {"solutions", "sketch"}),
+           integer_option("per_line", "with one column, at most", "", 1, 1, 12),
            view_option("best"),
            width_option("page")},
           [](const FigureRequest& request) { return FiguresKind(request).draw(); }};

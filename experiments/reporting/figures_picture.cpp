@@ -37,7 +37,8 @@ Wireframe wireframe_at(const FigurePicture& picture, std::size_t number) {
 FigureScript draw_figures(const FigurePicture& picture, const std::string& title) {
   const WireTable table{.title = title, .groups = {group_of(picture)}};
   WireTableStyle style;
-  style.width = picture.figures.size() < 3 ? kColumnWidth : kPageWidth;
+  const std::size_t fit_a_column = is_plane(picture) ? 1 : 2;
+  style.width = picture.figures.size() <= fit_a_column ? kColumnWidth : kPageWidth;
   FigureScript script = draw_wire_table(table, style);
   const std::string note = depth_note(table);
   if (!note.empty()) script.notes.push_back(note);

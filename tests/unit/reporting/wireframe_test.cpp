@@ -96,8 +96,9 @@ TEST(Wireframe, ReflectionsOfAFigureInItsFrameLookTheSame) {
         if ((signs >> axis & 1) != 0) point[static_cast<std::size_t>(axis)] *= -1;
       }
     }
-    EXPECT_EQ(reflected_upright(figure, {0, 1, 2}), upright) << signs;
-    EXPECT_EQ(reflected_upright(figure, {}), figure);
+    const std::vector<Sort> sorts(figure.size(), Sort::point);
+    EXPECT_EQ(reflected_upright(figure, sorts, {0, 1, 2}), upright) << signs;
+    EXPECT_EQ(reflected_upright(figure, sorts, {}), figure);
   }
 }
 
@@ -126,7 +127,7 @@ TEST(ClassAlignment, PutsFiguresThatAreTheSameIntoOneLine) {
   const FigurePicture first = sample_picture();
   FigurePicture second = first;
   std::swap(second.figures[0], second.figures[1]);
-  for (auto& point : second.figures[1].points) point = {7 - point[1], point[0]};  // a rigid motion
+  for (auto& point : second.figures[1].places) point = {7 - point[1], point[0]};  // a rigid motion
   second.figures.push_back({{{0, 0}, {5, 0}, {2, 2}}, 1, true});
   using Line = AlignedLine;
   const auto lines = aligned_classes({&first, nullptr, &second});
