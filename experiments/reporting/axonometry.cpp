@@ -48,7 +48,8 @@ double clearness(const View& view, const Wireframe& figure) {
     }
   }
   const double size = size_of(figure.points);
-  return std::min(kOpen * openness(figure, view), size == 0 ? 0 : least / size);
+  const double clear = size == 0 ? 0 : least / size;
+  return figure.objects.empty() ? clear : std::min(kOpen * openness(figure, view), clear);
 }
 
 /// Where two edges cross on paper: the part of the way along the first, and along the second.

@@ -102,6 +102,14 @@ class FiguresKind {
     for (WireMeasure& measure : picture.wires.measures) without_value(measure.label);
   }
 
+  /// The one figure of each column in one line.
+  static std::vector<AlignedLine> side_by_side(const std::vector<const FigurePicture*>& pictures) {
+    AlignedLine line;
+    for (const FigurePicture* picture : pictures)
+      line.push_back(picture == nullptr ? std::nullopt : std::optional<std::size_t>(0));
+    return {line};
+  }
+
   /// All figures of one row key.
   WireGroup group_of(const std::vector<std::string>& axes, const AxisKey& line_key,
                      const std::vector<AxisKey>& columns) {
@@ -114,7 +122,7 @@ class FiguresKind {
       rows.push_back(found.empty() ? nullptr : found.front());
       pictures.push_back(picture_of(rows.back()));
     }
-    std::vector<AlignedLine> lines = aligned_classes(pictures);
+    std::vector<AlignedLine> lines = shows_sketches() ? side_by_side(pictures) : aligned_classes(pictures);
     if (lines.empty()) lines.emplace_back(columns.size());
     WireGroup group;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -142,7 +150,7 @@ class FiguresKind {
     WireTableStyle style;
     style.width = width_from(request_.options);
     style.names = request_.options.flag("names");
-    style.values = request_.options.flag("values");
+    style.values = request_.options.flag("parameters");
     style.dimensions = request_.options.flag("dimensions");
     style.view = view_from(request_);
     return style;
@@ -160,8 +168,8 @@ FigureKind figures_kind() {
           "the figures of solved constraint systems: one panel a figure up to isometry, one column a column "
           "key",
           {{.name = "names", .meaning = "write the names of points and objects", .default_value = true},
-           {.name = "values",
-            .meaning = "in the plane, write the parameters at edges, angles and objects",
+           {.name = "parameters",
+            .meaning = "in the plane, write them at edges, angles and objects",
             .default_value = true},
            {.name = "dimensions", .meaning = "write them in space too", .default_value = false},
            choice_option("show", "the figures that are solutions, or the sketch of a method that has one",
