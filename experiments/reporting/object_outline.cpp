@@ -71,18 +71,18 @@ class RoomBuilder {
 std::vector<Numbers> plane_corners(const WireObject& plane, const Wireframe& figure, const Room& room) {
   constexpr double kLeast = 0.3;  // of the room, on each side of the middle
   const ObjectParts<double> parts = parts_of(Sort::plane, Universe::space, plane.place);
-  const auto [across, up] = axes_across(parts.direction);
+  const std::pair<Numbers, Numbers> axes = axes_across(parts.direction);
   const Numbers origin = foot_on(plane, Universe::space, room.centre());
   Numbers low = {-kLeast * room.size(), -kLeast * room.size()}, high = {-low[0], -low[1]};
   for (const Place& place : bounded_places(figure)) {
     const Numbers offset = difference(place.centre, origin);
-    for (const auto& [axis, k] : {std::pair(&across, 0U), std::pair(&up, 1U)}) {
+    for (const auto& [axis, k] : {std::pair(&axes.first, 0U), std::pair(&axes.second, 1U)}) {
       const double at = dot(offset, *axis), reach = place.reach(*axis) + kMargin * room.size();
       low[k] = std::min(low[k], at - reach);
       high[k] = std::max(high[k], at + reach);
     }
   }
-  const auto corner = [&](double x, double y) { return along(along(origin, x, across), y, up); };
+  const auto corner = [&](double x, double y) { return along(along(origin, x, axes.first), y, axes.second); };
   return {corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1]),
           corner(low[0], low[1])};
 }
