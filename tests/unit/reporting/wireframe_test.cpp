@@ -221,5 +221,40 @@ TEST(Figures, ShowEveryRow) {
                   "the rows hold no figures"));
 }
 
+ReportItem figures_item() {
+  ReportItem item = sample_item("f", {}, {}, {});
+  item.form = ReportItem::Form::figure;
+  item.kind = "figures";
+  return item;
+}
+
+TEST(Figures, OfOneColumnStandInLines) {
+  ReportItem item = figures_item();
+  const ReportContext context = sample_context({figures_row("adaptive", sample_picture())});
+  EXPECT_TRUE(has(draw_figure(item, context).data(), "line 2, column 1"));
+  set_option(item, "per_line", "2");
+  const FigureScript script = draw_figure(item, context);
+  EXPECT_TRUE(has(script.data(), "line 1, column 2")) << script.data();
+  EXPECT_FALSE(has(script.data(), "line 2"));
+  EXPECT_TRUE(has(script.commands(), "'c = −5'"));
+  set_option(item, "parameters", "false");
+  EXPECT_FALSE(has(draw_figure(item, context).commands(), "'c = −5'"));
+}
+
+TEST(Figures, SketchesStandSideBySide) {
+  FigurePicture one = sample_picture(), other = sample_picture();
+  one.sketch = {{0, 0}, {5, 0}, {4, 3}};
+  other.sketch = {{0, 0}, {1, 0}, {4, 3}};
+  Row first = figures_row("m", one), second = figures_row("m", other);
+  second.axes = {{"problem", "triangles/two"}, {"method", "m"}, {"depth", "2"}, {"seed", "1"}};
+  ReportItem item = figures_item();
+  item.columns = {"problem"};
+  set_option(item, "show", "sketch");
+  const FigureScript script = draw_figure(item, sample_context({first, second}));
+  EXPECT_TRUE(has(script.data(), "line 1, column 2")) << script.data();
+  EXPECT_FALSE(has(script.data(), "line 2"));
+  EXPECT_TRUE(has(script.commands(), "'c'")) << "parameters without values";
+}
+
 }  // namespace
 }  // namespace gcslab
