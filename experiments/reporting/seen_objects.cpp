@@ -68,6 +68,47 @@ bool SeenObject::hides(const SeenPoint& point, double slack) const {
   return point.away > away_at(outline[0], outline[1], outline[2], point) + slack;
 }
 
+std::vector<std::array<SeenPoint, 2>> SeenObject::pieces_for_name() const {
+  // Parts of the way along a straight piece; those of a round outline are short.
+  const bool is_round = sort == Sort::circle || sort == Sort::sphere;
+  const std::vector<double> cuts =
+      is_round ? std::vector{0.0, 1.0} : std::vector{0.0, 0.08, 0.16, 0.84, 0.92, 1.0};
+  std::vector<std::array<SeenPoint, 2>> result;
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const SeenPoint &a = outline[i - 1], &b = outline[i];
+    const auto at = [&](double part) {
+      return SeenPoint{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), a.away + part * (b.away - a.away)};
+    };
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+      const bool is_near_an_end = cuts[k - 1] >= 0.5 || cuts[k] <= 0.5;
+      if (is_round || is_near_an_end) result.push_back({at(cuts[k - 1]), at(cuts[k])});
+    }
+  }
+  return result;
+}
+
+std::vector<const SeenObject*> surfaces_from_the_rear(const std::vector<SeenObject>& objects) {
+  std::vector<const SeenObject*> surfaces;
+  for (const SeenObject& object : objects) {
+    if (object.is_surface()) surfaces.push_back(&object);
+  }
+  const auto nearness = [](const SeenObject* object) {
+    double sum = 0;
+    for (const SeenPoint& p : object->outline) sum -= p.away;
+    return sum / static_cast<double>(object->outline.size());
+  };
+  std::ranges::stable_sort(surfaces, {}, nearness);
+  return surfaces;
+}
+
+bool is_hidden(const SeenPoint& point, const std::vector<SeenObject>& objects,
+               const std::optional<std::size_t>& own, double slack) {
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (k != own && objects[k].is_surface() && objects[k].hides(point, slack)) return true;
+  }
+  return false;
+}
+
 std::vector<SeenObject> seen_objects(const Wireframe& figure, const View& view) {
   std::vector<SeenObject> result;
   if (figure.objects.empty()) return result;

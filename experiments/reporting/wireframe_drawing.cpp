@@ -136,17 +136,7 @@ class WirePanel {
 
   /// Planes and spheres, the farthest first.
   void add_surfaces() {
-    std::vector<const SeenObject*> surfaces;
-    for (const SeenObject& object : objects_) {
-      if (object.is_surface()) surfaces.push_back(&object);
-    }
-    const auto distance = [](const SeenObject* object) {
-      double sum = 0;
-      for (const SeenPoint& p : object->outline) sum -= p.away;
-      return sum / static_cast<double>(object->outline.size());
-    };
-    std::ranges::stable_sort(surfaces, {}, distance);
-    for (const SeenObject* object : surfaces) {
+    for (const SeenObject* object : surfaces_from_the_rear(objects_)) {
       std::string lines;
       for (const SeenPoint& p : object->outline) lines += point_line(p.x, p.y);
       add_layer("shade of " + figure_.objects[object->number].name, lines,
@@ -175,13 +165,8 @@ class WirePanel {
     return lines;
   }
 
-  /// Whether a surface is in front of a point, other than one of which the point is the outline.
   bool is_hidden(const SeenPoint& point, const std::optional<std::size_t>& own) const {
-    const double slack = 1e-3 * std::max(bounds_.width(), bounds_.height());
-    for (std::size_t k = 0; k < objects_.size(); ++k) {
-      if (k != own && objects_[k].is_surface() && objects_[k].hides(point, slack)) return true;
-    }
-    return false;
+    return gcslab::is_hidden(point, objects_, own, 1e-3 * std::max(bounds_.width(), bounds_.height()));
   }
 
   /// In pieces so short that each is hidden or not.
@@ -307,27 +292,8 @@ class WirePanel {
     return {on_paper(points_[edge.from]), on_paper(points_[edge.to])};
   }
 
-  std::vector<PaperSegment> pieces(const SeenObject& object) const {
-    std::vector<PaperSegment> result;
-    for (std::size_t i = 1; i < object.outline.size(); ++i)
-      result.push_back({on_paper(object.outline[i - 1]), on_paper(object.outline[i])});
-    return result;
-  }
-
-  /// Where the name of an object may stand: near the ends of a line, the corners of a plane, around others.
-  std::vector<PaperSegment> pieces_for_name(const SeenObject& object) const {
-    constexpr std::array kNearEnds = {0.0, 0.08, 0.16, 0.84, 0.92, 1.0};
-    if (object.sort == Sort::circle || object.sort == Sort::sphere) return pieces(object);
-    std::vector<PaperSegment> result;
-    for (const auto& [from, to] : pieces(object)) {
-      const auto at = [&a = from, &b = to](double part) {
-        return PaperPoint{a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])};
-      };
-      for (std::size_t k = 1; k < kNearEnds.size(); ++k) {
-        if (kNearEnds[k] - kNearEnds[k - 1] < 0.5) result.push_back({at(kNearEnds[k - 1]), at(kNearEnds[k])});
-      }
-    }
-    return result;
+  PaperSegment segment(const std::array<SeenPoint, 2>& piece) const {
+    return {on_paper(piece[0]), on_paper(piece[1])};
   }
 
   LabelPlacer placer() const {
@@ -335,10 +301,11 @@ class WirePanel {
     std::vector<PaperPoint> points;
     for (const WireEdge& edge : figure_.edges) lines.push_back(segment(edge));
     for (const SeenObject& object : objects_) {
-      for (const PaperSegment& piece : pieces(object)) lines.push_back(piece);
+      for (std::size_t i = 1; i < object.outline.size(); ++i)
+        lines.push_back({on_paper(object.outline[i - 1]), on_paper(object.outline[i])});
     }
     for (const SeenMeasure& measure : measures_) {
-      for (const auto& [from, to] : measure.guides) lines.push_back({on_paper(from), on_paper(to)});
+      for (const auto& guide : measure.guides) lines.push_back(segment(guide));
     }
     for (const SeenPoint& p : points_) points.push_back(on_paper(p));
     for (const auto& [angle, label] : angles()) {
@@ -378,7 +345,9 @@ class WirePanel {
     if (look_.names) {
       for (const SeenObject& object : objects_) {
         const std::string& name = figure_.objects[object.number].name;
-        write(labels.beside_curve(pieces_for_name(object), name), name,
+        std::vector<PaperSegment> pieces;
+        for (const auto& piece : object.pieces_for_name()) pieces.push_back(segment(piece));
+        write(labels.beside_curve(pieces, name), name,
               object.sort == Sort::plane ? kPlaneText : kCurveColour);
       }
     }
@@ -393,7 +362,7 @@ class WirePanel {
     for (const SeenMeasure& measure : measures_) {
       if (measure.angle) continue;
       const std::string words = with_minus_sign(measure.label);
-      const PaperSegment guide = {on_paper(measure.guides.front()[0]), on_paper(measure.guides.front()[1])};
+      const PaperSegment guide = segment(measure.guides.front());
       write(measure.middle ? labels.beyond_point(on_paper(*measure.middle), {0, 1}, words)
                            : labels.beside_line(guide, words),
             words, palette::kQuietText);
