@@ -13,8 +13,7 @@ namespace {
 SolveOutcome searched(const Problem& problem) {
   const SystemFunctions functions(problem.system);
   const SolverMethod& method = solver_method_registry().at("adaptive");
-  const SolveSettings settings{"adaptive",
-                               Options(method.options(), {{"maximum_boxes", "400"}}, "adaptive")};
+  const SolveSettings settings{"adaptive", Options(method.options(), {{"maximum_boxes", "400"}}, "adaptive")};
   return solve_system(functions, settings, std::nullopt, {});
 }
 
