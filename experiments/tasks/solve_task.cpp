@@ -53,7 +53,7 @@ void add_class_values(const FigurePicture& picture, JobResult& result) {
   result.values["regular_classes"] = regular;
   result.values["singular_classes"] = std::ssize(picture.figures) - regular;
   result.values["flat_classes"] = std::ranges::count_if(
-      picture.figures, [](const PicturedFigure& figure) { return is_flat(figure.points); });
+      picture.figures, [](const PicturedFigure& figure) { return is_flat(figure.places); });
 }
 
 void add_path_values(const Path& path, JobResult& result) {
@@ -78,7 +78,7 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   FigurePicture picture = figure_picture(source, found.search);
   add_class_values(picture, result);
   if (has_option(settings.options, "random_sketch"))
-    picture.sketch = sketch_points(source, sketch_source(settings).sketch);
+    picture.sketch = in_frame(source.system, source.frame, sketch_source(settings).sketch);
   result.artifact = to_json(picture);
   if (found.paths.empty()) return;
   const FollowedPath& followed = found.paths.front();
