@@ -146,7 +146,7 @@ SolveMethod path_method(std::string name, std::string summary, const Defaults& d
   return {
       std::move(name),
       std::move(summary),
-      2,
+      3,
       {choice_option("interpolation", "of the parameters between the sketch and what is wanted", "linear",
                      {"linear", "compact_support"}),
        choice_option(
