@@ -83,6 +83,7 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   if (found.paths.empty()) return;
   const FollowedPath& followed = found.paths.front();
   add_path_values(followed.found.path, result);
+  if (followed.step_s) result.timings["step_s"] = *followed.step_s;
   if (followed.trace) result.artifact["path"] = to_json(*followed.trace);
 }
 

@@ -185,11 +185,11 @@ class Tracker {
 
   /// Whether the curve, as far as one more point tells, leads from the current point to the next.
   bool is_smooth() {
-    constexpr double kLargestDeviation = 0.002;  // in steps
+    constexpr double kLargestHalfWay = 0.002;  // in steps
     const CurvePoint& here = state_.here;
     const double rounding = options_->corrector.tolerance * (1 + largest(here.v));
     return distance_half_way(*curve_, at_next_.matrix(), here, next_) <=
-           kLargestDeviation * distance(here.v, next_.v) + rounding;
+           kLargestHalfWay * distance(here.v, next_.v) + rounding;
   }
 
   /// Cuts the step where t turns back near 1: then it is seen whether it crosses.
@@ -251,10 +251,12 @@ class Tracker {
       if (auto point = point_at(1, *curve_, here, next_))
         path.crossings.push_back({std::move(point->v), middle, point->rank});
     }
-    const bool is_back = passes_through(start_, here);
+    // Not in the first step from there: the point may have been improved, and lie a little before itself.
+    const bool is_back = state_.before && passes_through(start_, here);
     path.length += is_back ? distance(here.v, start_.v) : travelled;
-    const bool is_loop =
-        !is_back && state_.steps_to_next_landmark > 1 && passes_through(state_.landmark, here);
+    const bool is_first_from_landmark = state_.steps_to_next_landmark == path.steps;
+    const bool is_loop = !is_back && state_.steps_to_next_landmark > 1 && !is_first_from_landmark &&
+                         passes_through(state_.landmark, here);
     state_.length += travelled;
     state_.before = std::exchange(state_.here, next_);
     is_exact_ = false;

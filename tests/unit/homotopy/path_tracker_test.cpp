@@ -92,6 +92,23 @@ TEST(PathTracker, CrossesTheSameWithEveryPredictorAndCorrector) {
   }
 }
 
+TEST(PathTracker, CrossesTheSameWithDenseAndSparseFactors) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
+  for (std::uint64_t seed = 0; seed < fuzz_cases(10); ++seed) {
+    const Figure sketch = octahedron.random_sketch(seed);
+    SketchHomotopy dense = octahedron.homotopy(sketch, {.linear_algebra = LinearAlgebra::dense});
+    SketchHomotopy sparse = octahedron.homotopy(sketch, {.linear_algebra = LinearAlgebra::sparse});
+    EXPECT_EQ(dense.curve().pattern(), nullptr);
+    ASSERT_NE(sparse.curve().pattern(), nullptr);
+    const Path one = follow_path(dense.curve(), dense.start(), {});
+    const Path other = follow_path(sparse.curve(), sparse.start(), {});
+    EXPECT_EQ(one.end, other.end) << "seed " << seed;
+    ASSERT_EQ(one.crossings.size(), other.crossings.size()) << "seed " << seed;
+    for (std::size_t k = 0; k < one.crossings.size(); ++k)
+      EXPECT_LT(distance(one.crossings[k].v, other.crossings[k].v), 1e-9) << "seed " << seed;
+  }
+}
+
 TEST(PathTracker, OfASingularSketchIsRefusedWithTheReason) {
   const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
   Figure flat(6, std::vector<double>(3, 0.0));
