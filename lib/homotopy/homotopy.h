@@ -34,8 +34,9 @@ struct EquationOffset {
 
 class Homotopy final : public Curve {
  public:
-  /// Where steps take the same time with both factors, by configs/study/path-cost.yaml.
-  static constexpr std::size_t kSparseFrom = 120;
+  /// Where steps take the same time with both factors, by configs/study/path-cost.yaml: 100 to 150 unknowns
+  /// of polygons and prisms, between 200 and 300 of triangulated polyhedra, whose factors fill in more.
+  static constexpr std::size_t kSparseFrom = 160;
 
   /// The equations are as many as the unknowns. One thread uses it at a time.
   Homotopy(const GeometricEquations& equations, std::unique_ptr<ParameterPath> path, double unit = 1);
