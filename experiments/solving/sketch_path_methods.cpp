@@ -1,6 +1,7 @@
 // Methods that follow the homotopy path of a constraint system's sketch: settings of one tracker.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/error.h"
@@ -48,8 +49,36 @@ SketchHomotopyOptions homotopy_options(const Options& options) {
   if (booleans == "projected") result.booleans = Booleans::projected;
   if (booleans == "kept") result.booleans = Booleans::kept;
   result.leading = options.real("leading");
+  const std::string& linear_algebra = options.word("linear_algebra");
+  if (linear_algebra == "dense") result.linear_algebra = LinearAlgebra::dense;
+  if (linear_algebra == "sparse") result.linear_algebra = LinearAlgebra::sparse;
   return result;
 }
+
+/// How long the steps of a path take. Moments are noted after each.
+class StepClock {
+ public:
+  PathObserver observer(PathObserver next) {
+    return [this, next = std::move(next)](const PathState& state) {
+      const auto now = std::chrono::steady_clock::now();
+      if (state.path.steps > 1) seconds_.push_back(std::chrono::duration<double>(now - last_).count());
+      if (next) next(state);
+      last_ = std::chrono::steady_clock::now();
+    };
+  }
+
+  /// Nothing before the second step.
+  std::optional<double> median_s() {
+    if (seconds_.empty()) return std::nullopt;
+    const auto middle = seconds_.begin() + std::ssize(seconds_) / 2;
+    std::ranges::nth_element(seconds_, middle);
+    return *middle;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_;
+  std::vector<double> seconds_;
+};
 
 /// Notes the path while it is followed, where a trace is asked for.
 class Tracer {
@@ -107,12 +136,14 @@ SolveOutcome solve_along_sketch(const SystemFunctions& functions, const SolveSet
     path_certifier.emplace(homotopy.curve(), *enclosure);
   }
   Tracer tracer(settings, homotopy, equations);
+  StepClock clock;
   FollowedPath followed{
       solve_along_path(homotopy.curve(), curve, homotopy.start(), functions,
                        tracker_options(options, homotopy.extent() / homotopy.unit()), certifier, stop,
-                       {tracer.observer(), settings.path_from, path_certifier ? &*path_certifier : nullptr,
-                        is_precise ? &precise : nullptr}),
+                       {clock.observer(tracer.observer()), settings.path_from,
+                        path_certifier ? &*path_certifier : nullptr, is_precise ? &precise : nullptr}),
       {}};
+  followed.step_s = clock.median_s();
   followed.trace = tracer.traced(followed.found.path);
   followed.explanation = explain(followed.found.path, system, equations, homotopy);
   SolveOutcome outcome;
@@ -146,7 +177,7 @@ SolveMethod path_method(std::string name, std::string summary, const Defaults& d
   return {
       std::move(name),
       std::move(summary),
-      2,
+      3,
       {choice_option("interpolation", "of the parameters between the sketch and what is wanted", "linear",
                      {"linear", "compact_support"}),
        choice_option(
@@ -161,6 +192,10 @@ SolveMethod path_method(std::string name, std::string summary, const Defaults& d
                      predictor_registry().names()),
        choice_option("corrector", "Newton's method back to the path", defaults.corrector,
                      {"chord", "newton", "normal_flow"}),
+       choice_option("linear_algebra",
+                     "factors of Jacobians; automatic: dense below " + std::to_string(Homotopy::kSparseFrom) +
+                         " unknowns, else sparse",
+                     "automatic", {"automatic", "dense", "sparse"}),
        choice_option("derivatives", "how they are computed", defaults.derivatives,
                      {"tape", "forward_differences"}),
        choice_option("step_control", "how long steps are", defaults.step_control, {"adaptive", "fixed"}),

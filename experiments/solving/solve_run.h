@@ -34,6 +34,7 @@ struct FollowedPath {
   SketchSolutions found;  ///< its solutions are those of the outcome, in order
   PathExplanation explanation;
   std::optional<TracedPath> trace{};
+  std::optional<double> step_s{};  ///< median time of its steps
 };
 
 struct SolveOutcome {

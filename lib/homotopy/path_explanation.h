@@ -17,8 +17,8 @@ struct PathExplanation {
 
 /// Names what is special about the figures of branch points and ends, and tells more of the ends: a path that
 /// is stuck on figures of which points are far away goes to infinity, and one that is stuck where the
-/// equations are not smooth, to an undefined point.
+/// equations are not smooth or their Jacobian loses rank, to an undefined point.
 PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
-                        const SketchHomotopy& homotopy);
+                        SketchHomotopy& homotopy);
 
 }  // namespace gcslab
