@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -20,13 +21,25 @@ std::vector<CorpusEntry> yaml_files(const std::vector<fs::path>& folders) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& file : fs::recursive_directory_iterator(folder)) {
       if (file.path().extension() != ".yaml") continue;
-      const fs::path name = fs::relative(file.path(), folder).replace_extension();
+      const fs::path name = file.path().lexically_relative(folder).replace_extension();
       found.try_emplace(name.generic_string(), file.path());
     }
   }
   std::vector<CorpusEntry> entries;
   for (auto& [name, path] : found) entries.push_back({name, path});
   return entries;
+}
+
+/// The file of that name in the first of the folders that has it, as yaml_files would list it.
+std::optional<fs::path> yaml_file(const std::vector<fs::path>& folders, const fs::path& name) {
+  const bool is_below = name.is_relative() && name.lexically_normal() == name && name.begin() != name.end() &&
+                        *name.begin() != "..";
+  for (const fs::path& folder : folders) {
+    fs::path path = folder / name;
+    path += ".yaml";
+    if (is_below && fs::is_regular_file(path)) return path;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> names_of(const std::vector<CorpusEntry>& entries) {
@@ -71,9 +84,7 @@ fs::path Corpus::problem_path(const std::string& name_or_path) const {
   if (fs::is_regular_file(name_or_path)) return name_or_path;
   if (fs::is_directory(name_or_path))
     throw InputError(name_or_path + ": is a folder; a problem file was expected");
-  for (const CorpusEntry& entry : problems()) {
-    if (entry.name == name_or_path) return entry.path;
-  }
+  if (const std::optional<fs::path> path = yaml_file(data_folders_, name_or_path)) return *path;
   throw InputError(unknown_name_message("problem", name_or_path, names_of(problems())) +
                    "; no such file exists, and `gcslab list problems` does not have it");
 }

@@ -91,30 +91,14 @@ void tracker_step(benchmark::State& state, const std::string& name) {
   count(state, path.crossings.size(), path.steps);
 }
 
-/// The same curve, of whose Jacobian nothing is known.
-class Dense final : public Curve {
- public:
-  explicit Dense(Curve& curve) : curve_(&curve) {}
-  std::size_t size() const override { return curve_->size(); }
-  bool values(std::span<const double> v, std::span<double> result) override {
-    return curve_->values(v, result);
-  }
-  bool jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) override {
-    return curve_->jacobian(v, result, derivatives);
-  }
-
- private:
-  Curve* curve_;
-};
-
 /// A member of a family with the homotopy of its sketch.
 struct Member {
-  Member(const std::string& family, int size)
+  Member(const std::string& family, int size, LinearAlgebra linear_algebra)
       : system(family_figure({family, size}).system),
         frame(frame_of(system)),
         equations(geometric_equations(system, frame)),
         homotopy(system, frame, equations, values_of(system.valuations.front()), *system.sketch,
-                 {.booleans = Booleans::kept}) {}
+                 {.booleans = Booleans::kept, .linear_algebra = linear_algebra}) {}
 
   ConstraintSystem system;
   Frame frame;
@@ -122,10 +106,10 @@ struct Member {
   SketchHomotopy homotopy;
 };
 
-void member_steps(benchmark::State& state, const std::string& family, int size, bool is_dense) {
-  Member member(family, size);
-  Dense dense(member.homotopy.curve());
-  Curve& curve = is_dense ? static_cast<Curve&>(dense) : member.homotopy.curve();
+void member_steps(benchmark::State& state, const std::string& family, int size,
+                  LinearAlgebra linear_algebra) {
+  Member member(family, size, linear_algebra);
+  Curve& curve = member.homotopy.curve();
   TrackerOptions options;
   options.maximum_steps = 20;
   Path path;
@@ -134,11 +118,12 @@ void member_steps(benchmark::State& state, const std::string& family, int size, 
   state.counters["unknowns"] = static_cast<double>(curve.size());
 }
 
-void bordered_matrix(benchmark::State& state, const std::string& family, int size, bool is_dense) {
-  Member member(family, size);
+void bordered_matrix(benchmark::State& state, const std::string& family, int size,
+                     LinearAlgebra linear_algebra) {
+  Member member(family, size, linear_algebra);
   Curve& curve = member.homotopy.curve();
   const std::size_t m = curve.size();
-  BorderedMatrix matrix(is_dense ? nullptr : curve.pattern(), 0);
+  BorderedMatrix matrix(curve.pattern());
   std::vector<double> values(m), result(m + 1), border(m + 1, 0.1);
   Matrix<double> jacobian(m, m + 1);
   curve.jacobian(member.homotopy.start(), values, jacobian);
@@ -152,13 +137,14 @@ void bordered_matrix(benchmark::State& state, const std::string& family, int siz
 
 void add_family(const std::string& family, std::initializer_list<int> sizes) {
   for (const int size : sizes) {
-    for (const bool is_dense : {true, false}) {
-      const std::string text = family + "/" + std::to_string(size) + (is_dense ? "/dense" : "/sparse");
+    for (const LinearAlgebra kind : {LinearAlgebra::dense, LinearAlgebra::sparse}) {
+      const std::string text =
+          family + "/" + std::to_string(size) + (kind == LinearAlgebra::dense ? "/dense" : "/sparse");
       benchmark::RegisterBenchmark(("tracker_step/" + text).c_str(), [=](benchmark::State& state) {
-        member_steps(state, family, size, is_dense);
+        member_steps(state, family, size, kind);
       })->Unit(benchmark::kMicrosecond);
       benchmark::RegisterBenchmark(("bordered_matrix/" + text).c_str(), [=](benchmark::State& state) {
-        bordered_matrix(state, family, size, is_dense);
+        bordered_matrix(state, family, size, kind);
       })->Unit(benchmark::kMicrosecond);
     }
   }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "experiments/reporting/seen_objects.h"
+
 namespace gcslab {
 namespace {
 
@@ -16,12 +18,6 @@ SeenPoint between(const SeenPoint& a, const SeenPoint& b, double t) {
 }
 
 double distance(const SeenPoint& a, const SeenPoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-double distance_to_segment(const SeenPoint& p, const SeenPoint& a, const SeenPoint& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  if (squared == 0) return distance(p, a);
-  return distance(p, between(a, b, std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0)));
-}
 
 bool has_end(const WireEdge& edge, std::size_t point) { return edge.from == point || edge.to == point; }
 
@@ -41,6 +37,8 @@ double size_of(const Figure& figure) {
 /// How far apart the parts of the figure are seen, as a part of its size.
 double clearness(const View& view, const Wireframe& figure) {
   const std::vector<SeenPoint> points = seen_points(view, figure.points);
+  constexpr double kOpen = 0.2;  // what a line end-on, a circle edge-on count
+  if (figure.points.size() < 2) return kOpen * openness(figure, view);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t q = 0; q < p; ++q) least = std::min(least, distance(points[p], points[q]));
@@ -50,7 +48,8 @@ double clearness(const View& view, const Wireframe& figure) {
     }
   }
   const double size = size_of(figure.points);
-  return size == 0 ? 0 : least / size;
+  const double clear = size == 0 ? 0 : least / size;
+  return figure.objects.empty() ? clear : std::min(kOpen * openness(figure, view), clear);
 }
 
 /// Where two edges cross on paper: the part of the way along the first, and along the second.
@@ -125,6 +124,12 @@ SeenLine part_of(const SeenLine& line, double from, double to) {
 }
 
 }  // namespace
+
+double distance_to_segment(const SeenPoint& p, const SeenPoint& a, const SeenPoint& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+  if (squared == 0) return distance(p, a);
+  return distance(p, between(a, b, std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0)));
+}
 
 SeenPoint View::seen(std::span<const double> point) const {
   if (point.size() == 2) return {point[0], point[1], 0};

@@ -23,10 +23,14 @@ struct View {
   SeenPoint seen(std::span<const double> point) const;
 };
 
+/// On paper.
+double distance_to_segment(const SeenPoint& p, const SeenPoint& a, const SeenPoint& b);
+
 std::vector<SeenPoint> seen_points(const View& view, const Figure& figure);
 
 /// Of a grid of views the one in which points stand farthest from each other and from the edges that they do
-/// not belong to, as parts of the figure's size, in the worst of the figures; the first of equally good ones.
+/// not belong to, as parts of the figure's size, and lines, circles and planes are seen most openly, in the
+/// worst of the figures; the first of equally good ones.
 View best_view(const std::vector<Wireframe>& figures);
 
 /// A part of a polyline that is seen.

@@ -13,8 +13,9 @@ namespace gcslab {
 using AlignedLine = std::vector<std::optional<std::size_t>>;
 
 /// The lines of a table with a column for each picture; null: a column without figures. Figures with the same
-/// names are the same when all distances between their points agree to a millionth of the largest one; such
-/// as no earlier column has follow below. Every figure stands in exactly one line.
+/// names are the same when all distances between their points agree to a millionth of the largest one, and,
+/// where there are other objects, they may be congruent (congruence.h) with coordinates known as well as
+/// that; such as no earlier column has follow below. Every figure stands in exactly one line.
 std::vector<AlignedLine> aligned_classes(const std::vector<const FigurePicture*>& columns);
 
 }  // namespace gcslab

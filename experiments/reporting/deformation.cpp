@@ -45,9 +45,8 @@ FigureScript draw_deformation(const FigureRequest& request) {
   const auto count = static_cast<std::size_t>(request.options.integer("count"));
   std::vector<CaptionedFigure> figures;
   for (const TracedPoint* point : spread_points(row.path.points, count)) {
-    Wireframe figure = row.picture.wires;
-    figure.points = row.path.figure(*point);
-    figures.push_back({std::move(figure), with_minus_sign(fmt::format("t = {:.2f}", point->t))});
+    figures.push_back({row.picture.wires.at(row.path.figure(*point)),
+                       with_minus_sign(fmt::format("t = {:.2f}", point->t))});
   }
   WireTableStyle style;
   style.width = width_from(request.options);

@@ -30,18 +30,25 @@ class FiguresKind {
     check_groups(request_.rows, axes, request_.item);
     const std::vector<AxisKey> columns = keys_on(request_.rows, column_axes_);
     const std::vector<AxisKey> lines = keys_on(request_.rows, row_axes_);
+    const std::size_t per_line = columns.size() == 1 ? figures_per_line() : 1;
     WireTable table;
-    for (const AxisKey& column : columns) table.headings.push_back(joined(column_axes_, column));
+    if (per_line > 1) {
+      table.title = joined(column_axes_, columns.front());
+    } else {
+      for (const AxisKey& column : columns) table.headings.push_back(joined(column_axes_, column));
+    }
     for (const AxisKey& line : lines) {
       table.groups.push_back(group_of(axes, line, columns));
+      if (per_line > 1) table.groups.back() = in_lines(all_cells(table.groups.back()), per_line);
       if (lines.size() > 1) table.groups.back().label = joined(row_axes_, line);
     }
     FigureScript script = draw_wire_table(table, style());
     for (std::string& note : notes_on_missing(request_.rows)) script.notes.push_back(std::move(note));
-    if (!shows_sketches())
-      script.notes.emplace_back(
-          "One panel a figure up to isometry, with the solutions that are it; what is the same figure stands "
-          "in one line.");
+    if (!shows_sketches()) {
+      std::string note = "One panel a figure up to isometry, with the solutions that are it";
+      if (columns.size() > 1) note += "; what is the same figure stands in one line";
+      script.notes.push_back(note + ".");
+    }
     const std::string depth = depth_note(table);
     if (!depth.empty()) script.notes.push_back(depth);
     return script;
@@ -73,6 +80,16 @@ class FiguresKind {
     }
   }
 
+  std::size_t figures_per_line() const {
+    return static_cast<std::size_t>(request_.options.integer("per_line"));
+  }
+
+  static std::vector<WireCell> all_cells(const WireGroup& group) {
+    std::vector<WireCell> cells;
+    for (const auto& line : group.lines) cells.insert(cells.end(), line.begin(), line.end());
+    return cells;
+  }
+
   bool shows_sketches() const { return request_.options.word("show") == "sketch"; }
 
   /// The sketch as the one figure, with parameters by their names alone: it has other values.
@@ -82,6 +99,15 @@ class FiguresKind {
     const auto without_value = [](std::string& label) { label = label.substr(0, label.find(' ')); };
     for (WireEdge& edge : picture.wires.edges) without_value(edge.label);
     for (WireAngle& angle : picture.wires.angles) without_value(angle.label);
+    for (WireMeasure& measure : picture.wires.measures) without_value(measure.label);
+  }
+
+  /// The one figure of each column in one line.
+  static std::vector<AlignedLine> side_by_side(const std::vector<const FigurePicture*>& pictures) {
+    AlignedLine line;
+    for (const FigurePicture* picture : pictures)
+      line.push_back(picture == nullptr ? std::nullopt : std::optional<std::size_t>(0));
+    return {line};
   }
 
   /// All figures of one row key.
@@ -96,7 +122,7 @@ class FiguresKind {
       rows.push_back(found.empty() ? nullptr : found.front());
       pictures.push_back(picture_of(rows.back()));
     }
-    std::vector<AlignedLine> lines = aligned_classes(pictures);
+    std::vector<AlignedLine> lines = shows_sketches() ? side_by_side(pictures) : aligned_classes(pictures);
     if (lines.empty()) lines.emplace_back(columns.size());
     WireGroup group;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -124,7 +150,7 @@ class FiguresKind {
     WireTableStyle style;
     style.width = width_from(request_.options);
     style.names = request_.options.flag("names");
-    style.values = request_.options.flag("values");
+    style.values = request_.options.flag("parameters");
     style.dimensions = request_.options.flag("dimensions");
     style.view = view_from(request_);
     return style;
@@ -141,13 +167,14 @@ FigureKind figures_kind() {
   return {"figures",
           "the figures of solved constraint systems: one panel a figure up to isometry, one column a column "
           "key",
-          {{.name = "names", .meaning = "write the names of the points", .default_value = true},
-           {.name = "values",
-            .meaning = "in the plane, write the parameters at edges and angles",
+          {{.name = "names", .meaning = "write the names of points and objects", .default_value = true},
+           {.name = "parameters",
+            .meaning = "in the plane, write them at edges, angles and objects",
             .default_value = true},
            {.name = "dimensions", .meaning = "write them in space too", .default_value = false},
            choice_option("show", "the figures that are solutions, or the sketch of a method that has one",
                          "solutions", {"solutions", "sketch"}),
+           integer_option("per_line", "with one column, at most", "", 1, 1, 12),
            view_option("best"),
            width_option("page")},
           [](const FigureRequest& request) { return FiguresKind(request).draw(); }};

@@ -9,7 +9,7 @@ namespace gcslab {
 namespace {
 
 bool is_plane(const FigurePicture& picture) {
-  return !picture.figures.empty() && picture.figures.front().points.front().size() == 2;
+  return !picture.figures.empty() && wireframe_at(picture, 0).universe() == Universe::plane;
 }
 
 /// Lengths at the edges need room.
@@ -27,19 +27,18 @@ WireGroup group_of(const FigurePicture& picture) {
 
 std::string solutions_text(const PicturedFigure& figure) {
   return fmt::format("{} solution{}{}{}", figure.solutions, figure.solutions == 1 ? "" : "s",
-                     is_flat(figure.points) ? ", flat" : "", figure.is_certified ? "" : ", not certified");
+                     is_flat(figure.places) ? ", flat" : "", figure.is_certified ? "" : ", not certified");
 }
 
 Wireframe wireframe_at(const FigurePicture& picture, std::size_t number) {
-  Wireframe figure = picture.wires;
-  figure.points = picture.figures[number].points;
-  return figure;
+  return picture.wires.at(picture.figures[number].places);
 }
 
 FigureScript draw_figures(const FigurePicture& picture, const std::string& title) {
   const WireTable table{.title = title, .groups = {group_of(picture)}};
   WireTableStyle style;
-  style.width = picture.figures.size() < 3 ? kColumnWidth : kPageWidth;
+  const std::size_t fit_a_column = is_plane(picture) ? 1 : 2;
+  style.width = picture.figures.size() <= fit_a_column ? kColumnWidth : kPageWidth;
   FigureScript script = draw_wire_table(table, style);
   const std::string note = depth_note(table);
   if (!note.empty()) script.notes.push_back(note);

@@ -136,4 +136,22 @@ PaperPoint LabelPlacer::beside_line(const PaperSegment& line, const std::string&
   return best_of(candidates, width, height);
 }
 
+PaperPoint LabelPlacer::beside_curve(const std::vector<PaperSegment>& pieces, const std::string& text) {
+  const double width = text_width(text) + 2 * kClearance, height = kTextHeight + 2 * kClearance;
+  std::vector<Candidate> candidates;
+  for (const auto& [from, to] : pieces) {
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+    if (length == 0) continue;
+    const PaperPoint normal = {-dy / length, dx / length};
+    for (const double more : {0.0, 1.0}) {
+      const double reach = kLineReach + more + extent(normal, width, height);
+      for (const double side : {1.0, -1.0})
+        candidates.push_back({{(from[0] + to[0]) / 2 + side * reach * normal[0],
+                               (from[1] + to[1]) / 2 + side * reach * normal[1]},
+                              more});
+    }
+  }
+  return best_of(candidates, width, height);
+}
+
 }  // namespace gcslab

@@ -37,6 +37,8 @@ class LabelPlacer {
   PaperPoint beyond_point(const PaperPoint& point, const PaperPoint& direction, const std::string& text);
   /// A place beside a line, by preference at its middle.
   PaperPoint beside_line(const PaperSegment& line, const std::string& text);
+  /// A place beside any of these pieces of a curve.
+  PaperPoint beside_curve(const std::vector<PaperSegment>& pieces, const std::string& text);
 
  private:
   struct Candidate {

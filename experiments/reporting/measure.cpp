@@ -30,6 +30,7 @@ std::string heading_of_value(const std::string& name) {
   if (name == "wall_s") return "wall time";
   if (name == "cpu_s") return "CPU time";
   if (name == "prepare_s") return "preparation time";
+  if (name == "step_s") return "time of a step";
   if (name == "peak_rss_mb") return "peak memory";
   std::string words = name;
   if (is_timing(name)) words = name.substr(0, name.size() - 2) + "_time";

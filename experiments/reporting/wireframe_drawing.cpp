@@ -5,25 +5,66 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
+#include "experiments/reporting/depth_shades.h"
 #include "experiments/reporting/label_placement.h"
 #include "experiments/reporting/number_format.h"
 #include "experiments/reporting/palette.h"
+#include "experiments/reporting/seen_measures.h"
 
 namespace gcslab {
 namespace {
 
 constexpr double kGap = 0.6;  // half of what is hidden behind a perpendicular edge, in millimetres
+constexpr std::string_view kCurveColour = palette::kBlue;  // lines, circles, spheres
+constexpr std::string_view kPlaneColour = palette::kOrange;
+constexpr std::string_view kPlaneText = "#9A6A00";  // dark enough on white
 
-/// How edges look, from the farthest to the nearest.
-struct Shade {
-  std::string_view colour;
-  double line_width;
+/// What looks alike.
+enum class Family { edges, curves, planes };
+constexpr std::array kFamilies = {Family::edges, Family::curves, Family::planes};
+
+const Shades& shades_of(Family family) {
+  static const Shades curves = gcslab::shades_of(kCurveColour, 1.1);
+  static const Shades planes = gcslab::shades_of(kPlaneColour, 0.8);
+  return family == Family::edges ? edge_shades() : family == Family::curves ? curves : planes;
+}
+std::string_view name_of(Family family) {
+  return family == Family::edges ? "edges" : family == Family::curves ? "curves" : "planes";
+}
+
+/// A polyline of the drawing.
+struct DrawnLine {
+  std::vector<SeenPoint> points;
+  Family family = Family::edges;
+  bool is_guide = false;
+  std::optional<std::size_t> object{};  ///< number among the seen ones, where it is the outline of one
 };
-constexpr std::array kShades = {Shade{"#B9C3CC", 0.55}, Shade{"#9AA8B5", 0.7}, Shade{"#7A8C9C", 0.85},
-                                Shade{"#5A7083", 1.0},  Shade{"#38536B", 1.2}, Shade{"#143653", 1.4}};
 
-std::string point_line(double x, double y) { return plot_number(x) + " " + plot_number(y) + "\n"; }
+std::vector<SeenPoint> all_points(const std::vector<SeenPoint>& points,
+                                  const std::vector<SeenObject>& objects,
+                                  const std::vector<SeenMeasure>& measures) {
+  std::vector<SeenPoint> all = points;
+  for (const SeenObject& object : objects)
+    all.insert(all.end(), object.outline.begin(), object.outline.end());
+  for (const SeenMeasure& measure : measures) {
+    for (const auto& guide : measure.guides) all.insert(all.end(), guide.begin(), guide.end());
+  }
+  if (all.empty()) all.emplace_back();
+  return all;
+}
+
+SeenBounds bounds_of(const std::vector<SeenPoint>& points) {
+  const auto [left, right] = std::ranges::minmax(points, {}, &SeenPoint::x);
+  const auto [bottom, top] = std::ranges::minmax(points, {}, &SeenPoint::y);
+  return {left.x, right.x, bottom.y, top.y};
+}
+
+DepthScale depth_scale_of(const std::vector<SeenPoint>& points, const SeenBounds& bounds) {
+  const auto [near, far] = std::ranges::minmax(points, {}, &SeenPoint::away);
+  return {near.away, far.away, std::max(bounds.width(), bounds.height())};
+}
 
 class WirePanel {
  public:
@@ -36,15 +77,17 @@ class WirePanel {
         scale_(scale),
         name_(name),
         points_(seen_points(look.view, figure.points)),
-        bounds_(seen_bounds(figure, look.view)) {
-    const auto [near, far] = std::ranges::minmax(points_, {}, &SeenPoint::away);
-    nearest_ = near.away;
-    farthest_ = far.away;
-  }
+        objects_(seen_objects(figure, look.view)),
+        measures_(gcslab::shows_values(figure, look) ? seen_measures(figure, look.view)
+                                                     : std::vector<SeenMeasure>()),
+        bounds_(bounds_of(all_points(points_, objects_, measures_))),
+        depths_(depth_scale_of(all_points(points_, objects_, {}), bounds_)) {}
 
   void draw() {
     add_faces();
-    add_edges();
+    add_surfaces();
+    add_guides();
+    add_lines();
     add_arcs();
     add_points();
     add_labels();
@@ -58,9 +101,7 @@ class WirePanel {
   }
 
  private:
-  bool is_plane() const { return figure_.points.empty() || figure_.points.front().size() == 2; }
-
-  bool shows_values() const { return look_.values && (is_plane() || look_.dimensions); }
+  bool shows_values() const { return gcslab::shows_values(figure_, look_); }
 
   /// Small figures have finer lines and points.
   double weight() const {
@@ -93,77 +134,131 @@ class WirePanel {
         fmt::format("filledcurves closed fs transparent solid 0.13 noborder lc rgb '{}'", palette::kSky));
   }
 
-  /// Number of the shade for a depth; real, so that edges can be cut where it becomes whole.
-  double shade_at(double away) const {
-    const double range = farthest_ - nearest_;
-    const double size = std::max(bounds_.width(), bounds_.height());
-    const double nearness = range > 1e-6 * size ? (farthest_ - away) / range : 1;
-    return nearness * static_cast<double>(kShades.size());
-  }
-
-  static std::size_t shade_number(double shade) {
-    return static_cast<std::size_t>(std::clamp(shade, 0.0, static_cast<double>(kShades.size()) - 0.5));
-  }
-
-  /// Cuts a line where its shade changes.
-  void shade(const SeenPoint& from, const SeenPoint& to,
-             std::array<std::string, kShades.size()>& lines) const {
-    const double first = shade_at(from.away), last = shade_at(to.away);
-    std::vector<double> cuts = {0, 1};
-    for (std::size_t k = 1; k < kShades.size(); ++k) {
-      const double t = (static_cast<double>(k) - first) / (last - first);
-      if (t > 0 && t < 1) cuts.push_back(t);
-    }
-    std::ranges::sort(cuts);
-    const double dx = to.x - from.x, dy = to.y - from.y;
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-      const double middle = (cuts[i - 1] + cuts[i]) / 2;
-      std::string& target = lines[shade_number(first + middle * (last - first))];
-      if (!target.empty()) target += "\n";
-      target += point_line(from.x + cuts[i - 1] * dx, from.y + cuts[i - 1] * dy) +
-                point_line(from.x + cuts[i] * dx, from.y + cuts[i] * dy);
+  /// Planes and spheres, the farthest first.
+  void add_surfaces() {
+    for (const SeenObject* object : surfaces_from_the_rear(objects_)) {
+      std::string lines;
+      for (const SeenPoint& p : object->outline) lines += point_line(p.x, p.y);
+      add_layer("shade of " + figure_.objects[object->number].name, lines,
+                fmt::format("filledcurves closed fs transparent solid 0.13 noborder lc rgb '{}'",
+                            object->sort == Sort::plane ? kPlaneColour : palette::kSky));
     }
   }
 
-  void add_edges() {
-    std::array<std::string, kShades.size()> lines;
+  /// What shows where something is measured.
+  void add_guides() {
+    std::string lines;
+    for (const SeenMeasure& measure : measures_) {
+      for (const auto& [from, to] : measure.guides)
+        lines += (lines.empty() ? "" : "\n") + point_line(from.x, from.y) + point_line(to.x, to.y);
+    }
+    add_layer("what is measured", lines, fmt::format("lines lw 0.5 dt 2 lc rgb '{}'", palette::kQuietText));
+  }
+
+  std::vector<DrawnLine> drawn_lines() const {
+    std::vector<DrawnLine> lines;
+    for (const WireEdge& edge : figure_.edges)
+      lines.push_back({{points_[edge.from], points_[edge.to]}, Family::edges, edge.is_guide});
+    for (std::size_t k = 0; k < objects_.size(); ++k)
+      lines.push_back(
+          {objects_[k].outline, objects_[k].sort == Sort::plane ? Family::planes : Family::curves, false, k});
+    return lines;
+  }
+
+  bool is_hidden(const SeenPoint& point, const std::optional<std::size_t>& own) const {
+    return gcslab::is_hidden(point, objects_, own, 1e-3 * std::max(bounds_.width(), bounds_.height()));
+  }
+
+  /// In pieces so short that each is hidden or not.
+  void shade(const SeenPoint& from, const SeenPoint& to, const std::optional<std::size_t>& own,
+             ShadedLines& lines) const {
+    constexpr double kPiece = 0.5;  // millimetres
+    const bool is_cut = std::ranges::any_of(objects_, &SeenObject::is_surface);
+    const double length = scale_ * std::hypot(from.x - to.x, from.y - to.y);
+    const auto pieces = is_cut ? static_cast<std::size_t>(std::ceil(length / kPiece)) : 1;
+    const auto at = [&](double part) {
+      return SeenPoint{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y),
+                       from.away + part * (to.away - from.away)};
+    };
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const double begin = static_cast<double>(k) / static_cast<double>(pieces);
+      const double end = static_cast<double>(k + 1) / static_cast<double>(pieces);
+      lines.add(at(begin), at(end), is_hidden(at((begin + end) / 2), own));
+    }
+  }
+
+  void add_lines() {
+    const std::vector<DrawnLine> drawn = drawn_lines();
+    std::vector<std::vector<SeenPoint>> polylines;
+    for (const DrawnLine& line : drawn) polylines.push_back(line.points);
     std::string guides;
-    std::vector<std::vector<SeenPoint>> straight;
-    for (const WireEdge& edge : figure_.edges) straight.push_back({points_[edge.from], points_[edge.to]});
-    for (const VisiblePart& part : visible_parts(straight, weight() * kGap / scale_)) {
-      const SeenPoint &from = part.points.front(), &to = part.points.back();
-      if (figure_.edges[part.line].is_guide) {
-        guides += (guides.empty() ? "" : "\n") + point_line(from.x, from.y) + point_line(to.x, to.y);
-      } else {
-        shade(from, to, lines);
-      }
+    std::array<ShadedLines, kFamilies.size()> shaded = {ShadedLines(depths_), ShadedLines(depths_),
+                                                        ShadedLines(depths_)};
+    for (const VisiblePart& part : visible_parts(polylines, weight() * kGap / scale_)) {
+      const DrawnLine& line = drawn[part.line];
+      if (line.is_guide && !guides.empty()) guides += "\n";
+      for (std::size_t i = 0; line.is_guide && i < part.points.size(); ++i)
+        guides += point_line(part.points[i].x, part.points[i].y);
+      for (std::size_t i = 1; !line.is_guide && i < part.points.size(); ++i)
+        shade(part.points[i - 1], part.points[i], line.object, shaded[static_cast<std::size_t>(line.family)]);
     }
     add_layer("pairs of points without a length", guides, "lines lw 0.5 dt 2 lc rgb '#808080'");
-    for (std::size_t k = 0; k < kShades.size(); ++k) {
-      add_layer(
-          fmt::format("edges, depth {} of {} from the rear", k + 1, kShades.size()), lines[k],
-          fmt::format("lines lw {:.3g} lc rgb '{}'", weight() * kShades[k].line_width, kShades[k].colour));
+    add_reliefs();
+    for (std::size_t k = 0; k < kDepths; ++k) {
+      for (const Family family : kFamilies)
+        add_shade(family, k, shaded[static_cast<std::size_t>(family)].lines(k));
     }
+  }
+
+  void add_shade(Family family, std::size_t number, const std::string& lines) {
+    const Shade& shade = shades_of(family)[number];
+    add_layer(fmt::format("{}, depth {} of {} from the rear", name_of(family), number + 1, kDepths), lines,
+              fmt::format("lines lw {:.3g} lc rgb '{}'", weight() * shade.line_width, shade.colour));
+  }
+
+  void add_reliefs() {
+    std::string lines;
+    for (const SeenObject& object : objects_) {
+      if (!object.relief.empty() && !lines.empty()) lines += "\n";
+      for (const SeenPoint& p : object.relief) lines += point_line(p.x, p.y);
+    }
+    add_layer("nearer halves of horizontal great circles", lines,
+              fmt::format("lines lw {:.3g} lc rgb '{}'", 0.5 * weight(), palette::kSky));
   }
 
   void add_points() {
-    std::array<std::string, kShades.size()> lines;
-    for (const SeenPoint& p : points_) lines[shade_number(shade_at(p.away))] += point_line(p.x, p.y);
-    for (std::size_t k = 0; k < kShades.size(); ++k) {
+    std::array<std::string, kDepths> lines;
+    for (const SeenPoint& p : points_) {
+      const std::size_t shade = depths_.number_at(p.away);
+      lines[is_hidden(p, std::nullopt) ? veiled(shade) : shade] += point_line(p.x, p.y);
+    }
+    for (std::size_t k = 0; k < kDepths; ++k) {
       add_layer(fmt::format("points, depth {} from the rear", k + 1), lines[k],
-                fmt::format("points pt 7 ps {:.3g} lc rgb '{}'", 0.42 * weight(), kShades[k].colour));
+                fmt::format("points pt 7 ps {:.3g} lc rgb '{}'", 0.42 * weight(), edge_shades()[k].colour));
     }
   }
 
-  // ---- angles, in the plane ----
+  // ---- angles ----
+
+  /// The angles whose arcs are drawn, with their labels.
+  std::vector<std::pair<SeenAngle, std::string>> angles() const {
+    std::vector<std::pair<SeenAngle, std::string>> result;
+    if (!shows_values()) return result;
+    for (const WireAngle& angle : figure_.angles)
+      result.push_back({{points_[angle.at], points_[angle.from], points_[angle.to]}, angle.label});
+    for (const SeenMeasure& measure : measures_) {
+      if (measure.angle) result.emplace_back(*measure.angle, measure.label);
+    }
+    return result;
+  }
 
   /// The arc of an angle on paper, from its first arm to its second the short way.
-  std::vector<PaperPoint> arc(const WireAngle& angle) const {
+  std::vector<PaperPoint> arc(const SeenAngle& angle) const {
     constexpr double kRadius = 4.5;
     constexpr int kParts = 24;
-    const PaperPoint at = on_paper(points_[angle.at]);
-    const auto direction = [&](std::size_t end) {
-      const PaperPoint p = on_paper(points_[end]);
+    const PaperPoint at = on_paper(angle.at);
+    const auto direction = [&](const SeenPoint& end) {
+      const PaperPoint p = on_paper(end);
       return std::array{std::atan2(p[1] - at[1], p[0] - at[0]), std::hypot(p[0] - at[0], p[1] - at[1])};
     };
     const auto [first, one_arm] = direction(angle.from);
@@ -179,9 +274,8 @@ class WirePanel {
   }
 
   void add_arcs() {
-    if (!shows_values()) return;
     std::string lines;
-    for (const WireAngle& angle : figure_.angles) {
+    for (const auto& [angle, label] : angles()) {
       if (!lines.empty()) lines += "\n";
       for (const PaperPoint& p : arc(angle)) {
         lines += point_line(
@@ -198,16 +292,25 @@ class WirePanel {
     return {on_paper(points_[edge.from]), on_paper(points_[edge.to])};
   }
 
+  PaperSegment segment(const std::array<SeenPoint, 2>& piece) const {
+    return {on_paper(piece[0]), on_paper(piece[1])};
+  }
+
   LabelPlacer placer() const {
     std::vector<PaperSegment> lines;
     std::vector<PaperPoint> points;
     for (const WireEdge& edge : figure_.edges) lines.push_back(segment(edge));
+    for (const SeenObject& object : objects_) {
+      for (std::size_t i = 1; i < object.outline.size(); ++i)
+        lines.push_back({on_paper(object.outline[i - 1]), on_paper(object.outline[i])});
+    }
+    for (const SeenMeasure& measure : measures_) {
+      for (const auto& guide : measure.guides) lines.push_back(segment(guide));
+    }
     for (const SeenPoint& p : points_) points.push_back(on_paper(p));
-    if (shows_values()) {
-      for (const WireAngle& angle : figure_.angles) {
-        const std::vector<PaperPoint> curve = arc(angle);
-        for (std::size_t i = 1; i < curve.size(); ++i) lines.push_back({curve[i - 1], curve[i]});
-      }
+    for (const auto& [angle, label] : angles()) {
+      const std::vector<PaperPoint> curve = arc(angle);
+      for (std::size_t i = 1; i < curve.size(); ++i) lines.push_back({curve[i - 1], curve[i]});
     }
     return {{{panel_.centre(), (panel_.bottom + panel_.top()) / 2}, panel_.width, panel_.height},
             std::move(lines),
@@ -239,13 +342,30 @@ class WirePanel {
         write(labels.beside_point(on_paper(points_[p]), away_from_neighbours(p), figure_.names[p]),
               figure_.names[p], palette::kText);
     }
+    if (look_.names) {
+      for (const SeenObject& object : objects_) {
+        const std::string& name = figure_.objects[object.number].name;
+        std::vector<PaperSegment> pieces;
+        for (const auto& piece : object.pieces_for_name()) pieces.push_back(segment(piece));
+        write(labels.beside_curve(pieces, name), name,
+              object.sort == Sort::plane ? kPlaneText : kCurveColour);
+      }
+    }
     if (!shows_values()) return;
-    for (const WireAngle& angle : figure_.angles) {
+    for (const auto& [angle, label] : angles()) {
       const std::vector<PaperPoint> curve = arc(angle);
-      const PaperPoint middle = curve[curve.size() / 2], at = on_paper(points_[angle.at]);
-      const std::string words = with_minus_sign(angle.label);
+      const PaperPoint middle = curve[curve.size() / 2], at = on_paper(angle.at);
+      const std::string words = with_minus_sign(label);
       write(labels.beyond_point(middle, {middle[0] - at[0], middle[1] - at[1]}, words), words,
             palette::kVermillion);
+    }
+    for (const SeenMeasure& measure : measures_) {
+      if (measure.angle) continue;
+      const std::string words = with_minus_sign(measure.label);
+      const PaperSegment guide = segment(measure.guides.front());
+      write(measure.middle ? labels.beyond_point(on_paper(*measure.middle), {0, 1}, words)
+                           : labels.beside_line(guide, words),
+            words, palette::kQuietText);
     }
     for (const WireEdge& edge : edges_by_length()) {
       if (edge.label.empty()) continue;
@@ -271,19 +391,23 @@ class WirePanel {
   double scale_;
   const std::string& name_;
   std::vector<SeenPoint> points_;
+  std::vector<SeenObject> objects_;
+  std::vector<SeenMeasure> measures_;
   SeenBounds bounds_;
-  double nearest_ = 0, farthest_ = 0;
+  DepthScale depths_;
   std::string layers_;
 };
 
 }  // namespace
 
-SeenBounds seen_bounds(const Wireframe& figure, const View& view) {
-  const std::vector<SeenPoint> points = seen_points(view, figure.points);
-  if (points.empty()) return {};
-  const auto [left, right] = std::ranges::minmax(points, {}, &SeenPoint::x);
-  const auto [bottom, top] = std::ranges::minmax(points, {}, &SeenPoint::y);
-  return {left.x, right.x, bottom.y, top.y};
+bool shows_values(const Wireframe& figure, const WireLook& look) {
+  return look.values && (figure.universe() == Universe::plane || look.dimensions);
+}
+
+SeenBounds seen_bounds(const Wireframe& figure, const WireLook& look) {
+  return bounds_of(
+      all_points(seen_points(look.view, figure.points), seen_objects(figure, look.view),
+                 shows_values(figure, look) ? seen_measures(figure, look.view) : std::vector<SeenMeasure>()));
 }
 
 void draw_wireframe(FigureScript& script, const PanelBox& panel, const Wireframe& figure,

@@ -16,9 +16,11 @@ constexpr double kMargin = 0.5;
 constexpr double kWidestPanel = 80;
 constexpr double kTallestAspect = 1.25;
 
-bool is_plane(const Wireframe& figure) { return !figure.points.empty() && figure.points.front().size() == 2; }
-bool is_spatial(const Wireframe& figure) {
-  return !figure.points.empty() && figure.points.front().size() == 3;
+bool is_plane(const Wireframe& figure) { return figure.universe() == Universe::plane; }
+bool is_spatial(const Wireframe& figure) { return !is_plane(figure); }
+
+bool is_surface(const WireObject& object) {
+  return object.sort == Sort::plane || object.sort == Sort::sphere;
 }
 
 /// How the figures of a group are seen, and how large.
@@ -46,7 +48,7 @@ class GroupLook {
     for (const WireCell& cell : line) {
       if (cell.figure)
         tallest =
-            std::max(tallest, scale_ * seen_bounds(*cell.figure, look_.view).height() + 2 * upright_margin());
+            std::max(tallest, scale_ * seen_bounds(*cell.figure, look_).height() + 2 * upright_margin());
     }
     return tallest;
   }
@@ -56,8 +58,10 @@ class GroupLook {
   double side_margin() const {
     double widest = 0;
     for (const Wireframe& figure : figures_) {
-      if (style_.names)
+      if (style_.names) {
         for (const std::string& name : figure.names) widest = std::max(widest, text_width(name));
+        for (const WireObject& object : figure.objects) widest = std::max(widest, text_width(object.name));
+      }
       if (style_.values && is_plane(figure))
         for (const WireEdge& edge : figure.edges) widest = std::max(widest, 0.5 * text_width(edge.label));
     }
@@ -71,7 +75,7 @@ class GroupLook {
   void choose_scale() {
     double width = 0, height = 0;
     for (const Wireframe& figure : figures_) {
-      const SeenBounds bounds = seen_bounds(figure, look_.view);
+      const SeenBounds bounds = seen_bounds(figure, look_);
       width = std::max(width, bounds.width());
       height = std::max(height, bounds.height());
     }
@@ -218,21 +222,23 @@ FigureScript draw_strip(const std::vector<CaptionedFigure>& figures, std::size_t
 }
 
 std::string depth_note(const WireTable& table) {
-  bool has_spatial = false, has_faces = false;
+  bool has_spatial = false, has_faces = false, has_surfaces = false;
   for (const WireGroup& group : table.groups) {
     for (const auto& line : group.lines) {
       for (const WireCell& cell : line) {
         if (!cell.figure || !is_spatial(*cell.figure)) continue;
         has_spatial = true;
         has_faces = has_faces || !cell.figure->faces.empty();
+        has_surfaces = has_surfaces || std::ranges::any_of(cell.figure->objects, is_surface);
       }
     }
   }
   if (!has_spatial) return "";
-  return std::string(
-             "In space, nearer edges are darker and thicker, and what passes behind them is "
-             "interrupted") +
-         (has_faces ? "; faces are shaded." : ".");
+  std::string note =
+      "In space, nearer edges are darker and thicker, and what passes behind them is interrupted";
+  if (has_faces) note += "; faces are shaded";
+  if (has_surfaces) note += "; planes and spheres are shaded, and what is behind or within them is paler";
+  return note + ".";
 }
 
 }  // namespace gcslab

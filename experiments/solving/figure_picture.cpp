@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "geometry/congruence.h"
-#include "geometry/sketch.h"
 
 namespace gcslab {
 namespace {
@@ -25,30 +24,53 @@ std::size_t point_from(const Json& json, const Wireframe& wires) {
   return number;
 }
 
-void check_places(const Figure& points, const Wireframe& wires) {
-  const auto has_place = [&](const std::vector<double>& point) {
-    return (point.size() == 2 || point.size() == 3) && point.size() == points.front().size();
+/// All points have two coordinates, or all three, and objects what their sort has there.
+void check_places(const Figure& places, const Wireframe& wires) {
+  const std::vector<Sort> sorts = wires.sorts();
+  const auto fits = [&](Universe universe) {
+    for (std::size_t k = 0; k < sorts.size(); ++k) {
+      if (!exists_in(sorts[k], universe) || places[k].size() != coordinate_names(sorts[k], universe).size())
+        return false;
+    }
+    return true;
   };
-  if (points.size() != wires.names.size() || !std::ranges::all_of(points, has_place))
+  if (places.size() != sorts.size() || !(fits(Universe::plane) || fits(Universe::space)))
     throw InputError("a drawing lacks coordinates of its points");
+}
+
+Sort sort_named(const std::string& name) {
+  const auto found = std::ranges::find(all_sorts(), name, [](Sort sort) { return name_of(sort); });
+  if (found == all_sorts().end()) throw InputError("a drawing has an object of an unknown sort, " + name);
+  return *found;
+}
+
+/// Rows that were written before objects were drawn have none.
+void read_objects(const Json& figures, Wireframe& wires) {
+  if (!figures.contains("objects")) return;
+  for (const Json& object : figures.at("objects"))
+    wires.objects.push_back(
+        {object.at("name").get<std::string>(), sort_named(object.at("sort").get<std::string>())});
+  for (const Json& measure : figures.at("measures")) {
+    wires.measures.push_back({measure.at("kind").get<std::string>(),
+                              measure.at("objects").get<std::vector<std::size_t>>(),
+                              measure.at("label").get<std::string>()});
+    for (const std::size_t number : wires.measures.back().objects) {
+      if (number >= wires.names.size() + wires.objects.size())
+        throw InputError("a drawing measures an object that it does not have");
+    }
+  }
 }
 
 PicturedFigure figure_from(const Json& json, const Wireframe& wires) {
   PicturedFigure figure{json.at("points").get<Figure>(), json.at("solutions").get<std::size_t>(),
                         json.at("certified").get<bool>()};
-  check_places(figure.points, wires);
+  check_places(figure.places, wires);
   return figure;
 }
 
 std::vector<std::vector<std::size_t>> classes_of(const GeometricSource& source,
                                                  const std::vector<FigureBox>& boxes) {
   return congruence_classes(source.equations.sorts, source.equations.universe, boxes);
-}
-
-/// The points alone.
-Figure points_of(const GeometricSource& source, Figure figure) {
-  figure.resize(source.system.points());
-  return figure;
 }
 
 }  // namespace
@@ -61,16 +83,11 @@ FigurePicture figure_picture(const GeometricSource& source, const SearchResult& 
   for (const std::vector<std::size_t>& members : classes_of(source, boxes)) {
     const Solution& first = found.solutions[members.front()];
     const auto is_certified = [&](std::size_t k) { return found.solutions[k].claim != Claim::none; };
-    picture.figures.push_back(
-        {reflected_upright(points_of(source, figure_at(source.equations, midpoints(first.root.box))),
-                           source.frame),
-         members.size(), std::ranges::any_of(members, is_certified)});
+    picture.figures.push_back({reflected_upright(figure_at(source.equations, midpoints(first.root.box)),
+                                                 source.equations.sorts, source.frame),
+                               members.size(), std::ranges::any_of(members, is_certified)});
   }
   return picture;
-}
-
-Figure sketch_points(const GeometricSource& source, const Figure& sketch) {
-  return points_of(source, in_frame(source.system, source.frame, sketch));
 }
 
 bool is_flat(const Figure& figure) {
@@ -91,15 +108,22 @@ Json to_json(const FigurePicture& picture) {
     edges.push_back({{"from", edge.from}, {"to", edge.to}, {"label", edge.label}, {"guide", edge.is_guide}});
   for (const WireAngle& angle : wires.angles)
     angles.push_back({{"at", angle.at}, {"from", angle.from}, {"to", angle.to}, {"label", angle.label}});
+  Json objects = Json::array(), measures = Json::array();
+  for (const WireObject& object : wires.objects)
+    objects.push_back({{"name", object.name}, {"sort", name_of(object.sort)}});
+  for (const WireMeasure& measure : wires.measures)
+    measures.push_back({{"kind", measure.kind}, {"objects", measure.objects}, {"label", measure.label}});
   for (const PicturedFigure& figure : picture.figures) {
     classes.push_back(
-        {{"points", figure.points}, {"solutions", figure.solutions}, {"certified", figure.is_certified}});
+        {{"points", figure.places}, {"solutions", figure.solutions}, {"certified", figure.is_certified}});
   }
   return {{"figures",
            {{"names", wires.names},
             {"edges", std::move(edges)},
             {"faces", wires.faces},
             {"angles", std::move(angles)},
+            {"objects", std::move(objects)},
+            {"measures", std::move(measures)},
             {"classes", std::move(classes)},
             {"sketch", picture.sketch}}}};
 }
@@ -121,6 +145,7 @@ FigurePicture figure_picture_from_json(const Json& json) {
     for (const Json& angle : figures.at("angles"))
       wires.angles.push_back({point(angle.at("at")), point(angle.at("from")), point(angle.at("to")),
                               angle.at("label").get<std::string>()});
+    read_objects(figures, wires);
     for (const Json& figure : figures.at("classes")) picture.figures.push_back(figure_from(figure, wires));
     picture.sketch = figures.at("sketch").get<Figure>();
     if (!picture.sketch.empty()) check_places(picture.sketch, wires);

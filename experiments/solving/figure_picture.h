@@ -12,7 +12,7 @@
 namespace gcslab {
 
 struct PicturedFigure {
-  Figure points;
+  Figure places;              ///< coordinates of points, then of the other objects
   std::size_t solutions = 1;  ///< how many are the same figure up to isometry
   bool is_certified = true;   ///< at least one of them
 };
@@ -20,19 +20,18 @@ struct PicturedFigure {
 struct FigurePicture {
   Wireframe wires;  ///< without coordinates
   std::vector<PicturedFigure> figures;
-  Figure sketch{};  ///< in the frame; empty: none
+  Figure sketch{};  ///< places of a sketch in the frame; empty: none
 };
 
 FigurePicture figure_picture(const GeometricSource& source, const SearchResult& found);
 
-/// The points of a sketch, moved into the frame.
-Figure sketch_points(const GeometricSource& source, const Figure& sketch);
-
-/// Whether a figure of space lies in the plane z = 0, as flat figures in a frame do.
+/// Whether the points of a figure of space lie in the plane z = 0, as flat figures in a frame do, and there
+/// is no other object.
 bool is_flat(const Figure& figure);
 
-/// {"figures": {"names", "edges": [{"from", "to", "label", "guide"}], "faces", "angles", "classes":
-/// [{"points", "solutions", "certified"}], "sketch"}}.
+/// {"figures": {"names", "edges": [{"from", "to", "label", "guide"}], "faces", "angles", "objects": [{"name",
+/// "sort"}], "measures": [{"kind", "objects", "label"}], "classes": [{"points", "solutions", "certified"}],
+/// "sketch"}}; "points" and "sketch" are the places.
 nlohmann::ordered_json to_json(const FigurePicture& picture);
 /// The inverse. Throws InputError when the JSON is no such thing.
 FigurePicture figure_picture_from_json(const nlohmann::ordered_json& json);

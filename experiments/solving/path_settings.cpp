@@ -1,5 +1,6 @@
 #include "experiments/solving/path_settings.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "experiments/solving/sketch_source.h"
@@ -78,6 +79,22 @@ SketchHomotopyOptions homotopy_options(const Options& options) {
   if (booleans == "kept") result.booleans = Booleans::kept;
   result.leading = options.real("leading");
   return result;
+}
+
+PathObserver StepClock::observer(PathObserver next) {
+  return [this, next = std::move(next)](const PathState& state) {
+    const auto now = std::chrono::steady_clock::now();
+    if (state.path.steps > 1) seconds_.push_back(std::chrono::duration<double>(now - last_).count());
+    if (next) next(state);
+    last_ = std::chrono::steady_clock::now();
+  };
+}
+
+std::optional<double> StepClock::median_s() {
+  if (seconds_.empty()) return std::nullopt;
+  const auto middle = seconds_.begin() + std::ssize(seconds_) / 2;
+  std::ranges::nth_element(seconds_, middle);
+  return *middle;
 }
 
 PathObserver Tracer::observer() {

@@ -2,6 +2,7 @@
 
 // What the methods that follow paths share: their options, and what becomes of a path.
 
+#include <chrono>
 #include <optional>
 
 #include "experiments/solving/solve_method.h"
@@ -28,6 +29,19 @@ OptionSpec certifier_option();
 SketchHomotopyOptions homotopy_options(const Options& options);
 /// `extent`: how large figures on the way are, in sizes of the sketch.
 TrackerOptions tracker_options(const Options& options, double extent);
+
+/// How long the steps of a path take. Moments are noted after each.
+class StepClock {
+ public:
+  /// Tells `next`, where there is one, of each step too.
+  PathObserver observer(PathObserver next);
+  /// Nothing before the second step.
+  std::optional<double> median_s();
+
+ private:
+  std::chrono::steady_clock::time_point last_;
+  std::vector<double> seconds_;
+};
 
 /// Notes the path while it is followed, where a trace is asked for.
 class Tracer {

@@ -1,7 +1,5 @@
 // Methods that follow the homotopy path of a constraint system's sketch: settings of one tracker.
 
-#include <algorithm>
-#include <cmath>
 
 #include "base/error.h"
 #include "certification/root_certifier.h"
@@ -18,6 +16,12 @@
 namespace gcslab {
 namespace {
 
+LinearAlgebra linear_algebra(const Options& options) {
+  const std::string& name = options.word("linear_algebra");
+  if (name == "dense") return LinearAlgebra::dense;
+  return name == "sparse" ? LinearAlgebra::sparse : LinearAlgebra::automatic;
+}
+
 SolveOutcome solve_along_sketch(const SystemFunctions& functions, const SolveSettings& settings,
                                 const std::optional<SearchStart>&, const std::stop_token& stop,
                                 SearchObserver*) {
@@ -30,8 +34,10 @@ SolveOutcome solve_along_sketch(const SystemFunctions& functions, const SolveSet
                         structure_text(system, structural_diagnosis(equations)));
   const std::string& certifier = options.word("certifier");
   check_certifier(certifier);
+  SketchHomotopyOptions deforming = homotopy_options(options);
+  deforming.linear_algebra = linear_algebra(options);
   SketchHomotopy homotopy(system, geometry.frame, equations, values_of(system.valuation(geometry.valuation)),
-                          sketch, homotopy_options(options));
+                          sketch, deforming);
   std::unique_ptr<Curve> differences;
   if (options.word("derivatives") == "forward_differences")
     differences = with_forward_differences(homotopy.curve());
@@ -49,14 +55,16 @@ SolveOutcome solve_along_sketch(const SystemFunctions& functions, const SolveSet
     path_certifier.emplace(homotopy.curve(), *enclosure);
   }
   Tracer tracer(settings, homotopy.curve(), equations);
+  StepClock clock;
   const bool is_to_first_crossing = options.word("until") == "first_crossing";
   TrackerOptions tracking = tracker_options(options, homotopy.extent() / homotopy.unit());
   tracking.stops_at_first_crossing = is_to_first_crossing;
   FollowedPath followed{
       solve_along_path(homotopy.curve(), curve, homotopy.start(), functions, tracking, certifier, stop,
-                       {tracer.observer(), settings.path_from, path_certifier ? &*path_certifier : nullptr,
-                        is_precise ? &precise : nullptr}),
+                       {clock.observer(tracer.observer()), settings.path_from,
+                        path_certifier ? &*path_certifier : nullptr, is_precise ? &precise : nullptr}),
       {}};
+  followed.step_s = clock.median_s();
   followed.trace = tracer.traced(followed.found.path, homotopy.start(), is_to_first_crossing);
   followed.explanation = explain(followed.found.path, system, equations, homotopy.curve(), homotopy.extent());
   return outcome_of(std::move(followed), is_to_first_crossing);
@@ -78,7 +86,11 @@ std::vector<OptionSpec> option_specs(const Defaults& defaults) {
   };
   add({random_sketch_option()});
   add(tracker_option_specs(defaults.tracker));
-  add({choice_option("derivatives", "how they are computed", defaults.derivatives,
+  add({choice_option("linear_algebra",
+                     "factors of Jacobians; automatic: dense below " + std::to_string(Homotopy::kSparseFrom) +
+                         " unknowns, else sparse",
+                     "automatic", {"automatic", "dense", "sparse"}),
+       choice_option("derivatives", "how they are computed", defaults.derivatives,
                      {"tape", "forward_differences"}),
        choice_option("until", "what is followed", defaults.until, {"end", "first_crossing"}),
        choice_option("precision", "of values where only small steps succeed: 128 bits, or doubles everywhere",
@@ -92,7 +104,7 @@ std::vector<OptionSpec> option_specs(const Defaults& defaults) {
 SolveMethod path_method(std::string name, std::string summary, const Defaults& defaults) {
   return {std::move(name),
           std::move(summary),
-          2,
+          3,
           option_specs(defaults),
           solve_along_sketch,
           Promise::rigorous,

@@ -35,7 +35,8 @@ struct FollowedPath {
   PathExplanation explanation;
   std::vector<std::size_t> numbers{};  ///< of its solutions among those of the outcome
   std::optional<TracedPath> trace{};
-  std::string origin{};  ///< of the sketch, where it is not the user's: "class 2, branch +-+"
+  std::optional<double> step_s{};  ///< median time of its steps
+  std::string origin{};            ///< of the sketch, where it is not the user's: "class 2, branch +-+"
 };
 
 /// What is told of a construction plan.

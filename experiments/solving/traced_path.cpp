@@ -18,10 +18,9 @@ std::vector<std::vector<int>> coordinates_of(const GeometricEquations& equations
   std::iota(numbers.begin(), numbers.end(), 1.0);
   const Figure figure = figure_at(equations, numbers);
   std::vector<std::vector<int>> result;
-  for (std::size_t p = 0; p < figure.size(); ++p) {
-    if (equations.sorts[p] != Sort::point) continue;
+  for (const std::vector<double>& object : figure) {
     result.emplace_back();
-    for (const double number : figure[p]) result.back().push_back(static_cast<int>(number) - 1);
+    for (const double number : object) result.back().push_back(static_cast<int>(number) - 1);
   }
   return result;
 }

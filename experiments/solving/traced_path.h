@@ -17,14 +17,14 @@ struct TracedPoint {
 
 struct TracedPath {
   std::vector<std::string> names;  ///< of the unknowns
-  /// Of each point of the figures: the numbers of the unknowns that are its coordinates; -1: it is 0.
+  /// Of each object of the figures: the numbers of the unknowns that are its coordinates; -1: it is 0.
   std::vector<std::vector<int>> coordinates;
   std::vector<TracedPoint> points;  ///< along the path
   std::size_t sketch = 0;           ///< which of them is the sketch
   std::vector<TracedPoint> crossings;
   std::vector<TracedPoint> critical;
 
-  /// The points of the figure there.
+  /// The figure there.
   Figure figure(const TracedPoint& point) const;
 };
 

@@ -1,6 +1,7 @@
 #include "experiments/solving/wireframe.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <numbers>
 #include <optional>
@@ -83,40 +84,100 @@ std::optional<Points> cycle(const Wireframe& wires, const Points& points) {
   return result;
 }
 
+std::string degrees_text(double radians) { return fmt::format("{:.4g}°", radians * 180 / std::numbers::pi); }
+
+bool is_angle(const Constraint& constraint) { return constraint.kind->name == "angle"; }
+
+/// "h0 = 1.3", "a = 60°".
+std::string label_of(const ConstraintSystem& system, const Constraint& constraint,
+                     const std::vector<double>& values) {
+  const double value = values[*constraint.parameter];
+  return fmt::format("{} = {}", system.parameters[*constraint.parameter],
+                     is_angle(constraint) ? degrees_text(value) : fmt::format("{:.6g}", value));
+}
+
+/// An edge, an angle or a measure; nothing for the others, and for coordinates that are given.
+void add_metric(Wireframe& wires, const Constraint& constraint, const std::string& label) {
+  static constexpr std::array kDrawn = {"distance", "angle", "radius", "area", "volume"};
+  const Points& objects = constraint.objects;
+  const std::string& kind = constraint.kind->name;
+  if (constraint.kind->is_about_points() && kind == "distance") {
+    wires.edges.push_back({objects[0], objects[1], label});
+  } else if (constraint.kind->is_about_points() && kind == "angle") {
+    wires.angles.push_back({objects[1], objects[0], objects[2], label});
+  } else if (std::ranges::find(kDrawn, kind) != kDrawn.end()) {
+    wires.measures.push_back({kind, objects, label});
+  }
+}
+
+/// The object mirrored along an axis.
+void reflect(std::vector<double>& object, Sort sort, Universe universe, std::size_t axis) {
+  ObjectParts<double> parts = parts_of(sort, universe, object);
+  if (!parts.position.empty()) parts.position[axis] = 0 - parts.position[axis];
+  if (!parts.direction.empty()) parts.direction[axis] = 0 - parts.direction[axis];
+  object = joined(parts);
+}
+
+Universe universe_of(const std::vector<double>& place, Sort sort) {
+  const bool is_flat =
+      exists_in(sort, Universe::plane) && coordinate_names(sort, Universe::plane).size() == place.size();
+  return is_flat ? Universe::plane : Universe::space;
+}
+
 }  // namespace
+
+Universe Wireframe::universe() const {
+  if (!points.empty()) return universe_of(points.front(), Sort::point);
+  return objects.empty() ? Universe::space : universe_of(objects.front().place, objects.front().sort);
+}
+
+Figure Wireframe::figure() const {
+  Figure result = points;
+  for (const WireObject& object : objects) result.push_back(object.place);
+  return result;
+}
+
+std::vector<Sort> Wireframe::sorts() const {
+  std::vector<Sort> result(names.size(), Sort::point);
+  for (const WireObject& object : objects) result.push_back(object.sort);
+  return result;
+}
+
+Wireframe Wireframe::at(const Figure& figure) const {
+  Wireframe result = *this;
+  result.points.assign(figure.begin(), figure.begin() + static_cast<std::ptrdiff_t>(names.size()));
+  if (figure.size() == names.size()) result.objects.clear();
+  for (std::size_t k = 0; k < result.objects.size(); ++k) result.objects[k].place = figure[names.size() + k];
+  return result;
+}
 
 Wireframe wireframe_of(const ConstraintSystem& system, const Valuation& valuation) {
   const std::vector<double> values = values_of(valuation);
   Wireframe wires;
   for (std::size_t p = 0; p < system.points(); ++p) wires.names.push_back(system.objects[p].name);
+  for (std::size_t k = system.points(); k < system.objects.size(); ++k)
+    wires.objects.push_back({system.objects[k].name, system.objects[k].sort});
   for (const Constraint& constraint : system.constraints) {
-    if (constraint.kind->name != "distance" || !constraint.kind->is_about_points()) continue;
-    const std::size_t parameter = *constraint.parameter;
-    wires.edges.push_back({constraint.objects[0], constraint.objects[1],
-                           fmt::format("{} = {:.6g}", system.parameters[parameter], values[parameter])});
+    if (constraint.parameter) add_metric(wires, constraint, label_of(system, constraint, values));
   }
-  for (const Constraint& constraint : system.constraints) {
-    add_guides(wires, constraint);
-    if (constraint.kind->name != "angle" || !constraint.kind->is_about_points()) continue;
-    const std::size_t parameter = *constraint.parameter;
-    wires.angles.push_back({constraint.objects[1], constraint.objects[0], constraint.objects[2],
-                            fmt::format("{} = {:.4g}°", system.parameters[parameter],
-                                        values[parameter] * 180 / std::numbers::pi)});
-  }
+  for (const Constraint& constraint : system.constraints) add_guides(wires, constraint);
   for (const Points& plane : planes(system)) {
     if (const std::optional<Points> face = cycle(wires, plane)) wires.faces.push_back(*face);
   }
   return wires;
 }
 
-Figure reflected_upright(Figure figure, const Frame& frame) {
+Figure reflected_upright(Figure figure, const std::vector<Sort>& sorts, const Frame& frame) {
   if (frame.empty()) return figure;
-  for (std::size_t axis = 0; axis < figure.front().size(); ++axis) {
-    std::optional<double> first;
-    if (axis + 1 < frame.size()) first = figure[frame[axis + 1]][axis];
-    for (std::size_t p = 0; p < figure.size() && (!first || *first == 0); ++p) first = figure[p][axis];
-    if (*first >= 0) continue;
-    for (std::vector<double>& point : figure) point[axis] = 0 - point[axis];
+  const Universe universe = universe_of(figure[frame.front()], Sort::point);
+  for (std::size_t axis = 0; axis < dimension(universe); ++axis) {
+    double first = axis + 1 < frame.size() ? figure[frame[axis + 1]][axis] : 0;
+    for (std::size_t k = 0; k < figure.size() && first == 0; ++k) {
+      const ObjectParts<double> parts = parts_of(sorts[k], universe, figure[k]);
+      if (!parts.position.empty()) first = parts.position[axis];
+    }
+    if (first >= 0) continue;
+    for (std::size_t k = 0; k < figure.size(); ++k) reflect(figure[k], sorts[k], universe, axis);
   }
   return figure;
 }

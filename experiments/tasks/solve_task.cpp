@@ -53,7 +53,7 @@ void add_class_values(const FigurePicture& picture, JobResult& result) {
   result.values["regular_classes"] = regular;
   result.values["singular_classes"] = std::ssize(picture.figures) - regular;
   result.values["flat_classes"] = std::ranges::count_if(
-      picture.figures, [](const PicturedFigure& figure) { return is_flat(figure.points); });
+      picture.figures, [](const PicturedFigure& figure) { return is_flat(figure.places); });
 }
 
 void add_path_values(const Path& path, JobResult& result) {
@@ -78,11 +78,12 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   FigurePicture picture = figure_picture(source, found.search);
   add_class_values(picture, result);
   if (has_option(settings.options, "random_sketch"))
-    picture.sketch = sketch_points(source, sketch_source(settings).sketch);
+    picture.sketch = in_frame(source.system, source.frame, sketch_source(settings).sketch);
   result.artifact = to_json(picture);
   if (found.paths.empty()) return;
   const FollowedPath& followed = found.paths.front();
   add_path_values(followed.found.path, result);
+  if (followed.step_s) result.timings["step_s"] = *followed.step_s;
   if (followed.trace) result.artifact["path"] = to_json(*followed.trace);
 }
 
@@ -132,6 +133,7 @@ std::vector<ValueInfo> SolveTask::values() const {
       {"singular_classes", "classes without one, as on continua of solutions", "figures"},
       {"flat_classes", "classes of space with all points in a plane", "figures"},
       {"crossings", "of t = 1 by a path", "crossings"},
+      {"step_s", "median wall time of a step of a path", "s"},
       {"path_type", "how a path ended: cycle, to_infinity, to_undefined, budget"},
       {"other_end", "the same of its other direction"},
       {"refused_steps", "steps of a path that were tried in vain", "steps"},

@@ -17,8 +17,10 @@ struct FigureProjection {
 };
 
 /// Moves the unknowns by Gauss and Newton's method, each step the smallest one, until the boolean constraints
-/// and the normalising equations hold, and constraints that share a parameter agree on its value. Auxiliary
-/// unknowns are first made those that suit best. Throws InputError where a measure is undefined.
+/// and the normalising equations hold, and constraints that share a parameter agree on its value. Where two
+/// points meet so that have a distance of their own, it begins again, and counts changes of such distances by
+/// the part of them that changes: where points coincide, constraints hold that say nothing any more.
+/// Auxiliary unknowns are first made those that suit best. Throws InputError where a measure is undefined.
 FigureProjection satisfy_common_equations(const ConstraintSystem& system, const GeometricEquations& equations,
                                           std::vector<double> unknowns);
 

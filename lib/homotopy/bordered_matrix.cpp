@@ -14,9 +14,8 @@ constexpr double kSingular = 1e14;
 
 }  // namespace
 
-BorderedMatrix::BorderedMatrix(const SparsityPattern* pattern, std::size_t sparse_from) {
-  if (pattern != nullptr && pattern->size() >= sparse_from)
-    sparse_ = std::make_unique<SparseFactors>(*pattern);
+BorderedMatrix::BorderedMatrix(const SparsityPattern* pattern) {
+  if (pattern != nullptr) sparse_ = std::make_unique<SparseFactors>(*pattern);
 }
 
 BorderedMatrix::BorderedMatrix(BorderedMatrix&&) noexcept = default;

@@ -15,18 +15,12 @@ class SparseFactors;
 /// (J; border) for an m by m + 1 matrix J: regular where J has rank m and its kernel is not orthogonal to the
 /// border. Gauss's elimination with partial pivoting, rows scaled; columns that a pivot row does not meet
 /// cost nothing.
-/// Where the pattern is known and m is at least `sparse_from`, by sparse factors.
+/// Where its pattern is given, by sparse factors.
 class BorderedMatrix {
  public:
-  /// Measured by gcslab_benchmarks, bordered_matrix/<family>/<size>, one factorisation and solution at a
-  /// sketch: dense and sparse factors take 7 and 15 to 20 us at 60 unknowns, 22 to 40 and 25 to 40 at 100, 65
-  /// to 120 and 40 to 78 at 150, 118 to 272 and 57 to 118 at 200, 526 to 926 and 98 to 296 at 300. They cross
-  /// between 100 (polygons, prisms) and 200 (polyhedra); whole steps, which have other costs, gain later.
-  static constexpr std::size_t kSparseFrom = 250;
-
   BorderedMatrix() : BorderedMatrix(nullptr) {}
-  /// The pattern of J, which must outlive this; nullptr where it is not known.
-  explicit BorderedMatrix(const SparsityPattern* pattern, std::size_t sparse_from = kSparseFrom);
+  /// The pattern of J, which must outlive this; nullptr for dense factors.
+  explicit BorderedMatrix(const SparsityPattern* pattern);
   BorderedMatrix(BorderedMatrix&&) noexcept;
   BorderedMatrix& operator=(BorderedMatrix&&) noexcept;
   ~BorderedMatrix();

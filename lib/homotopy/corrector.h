@@ -22,8 +22,8 @@ enum class CorrectorKind {
 
 struct CorrectorOptions {
   CorrectorKind kind = CorrectorKind::chord;
-  /// Of the last change, or of all that would follow, relative to 1 + the point's size; at most a hundredth
-  /// of the step.
+  /// Of all changes that would follow, by how those before have contracted, relative to 1 + the largest
+  /// coordinate; at most a hundredth of the step.
   double tolerance = 1e-6;
   int iterations = 8;
 };

@@ -17,7 +17,7 @@ class MooreSystem {
     is_defined_ = evaluate(z_.head(m_ + 1));
     if (!is_defined_) return;
     z_.segment(m_ + 1, m_) =
-        Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian_, Eigen::ComputeFullU).matrixU().col(m_ - 1);
+        Eigen::BDCSVD<Eigen::MatrixXd>(jacobian(), Eigen::ComputeThinU).matrixU().col(m_ - 1);
     z_[2 * m_ + 1] = 0;
   }
 
@@ -37,16 +37,16 @@ class MooreSystem {
       shifted[j] = v[j] + kDifference;
       if (!evaluate(shifted)) return HUGE_VAL;
       shifted[j] = v[j];
-      matrix.block(m_, j, m_ + 1, 1) = jacobian_.transpose() * w;
+      matrix.block(m_, j, m_ + 1, 1) = jacobian().transpose() * w;
     }
     if (!evaluate(v)) return HUGE_VAL;
-    const Eigen::VectorXd combined = jacobian_.transpose() * w;
+    const Eigen::VectorXd combined = jacobian().transpose() * w;
     matrix.block(m_, 0, m_ + 1, m_ + 1).colwise() -= combined;
     matrix.block(m_, 0, m_ + 1, m_ + 1) /= kDifference;
-    matrix.topLeftCorner(m_, m_ + 1) = jacobian_;
+    matrix.topLeftCorner(m_, m_ + 1) = jacobian();
     matrix.block(0, m_ + 1, m_, m_) = gap * Eigen::MatrixXd::Identity(m_, m_);
     matrix.block(0, n - 1, m_, 1) = w;
-    matrix.block(m_, m_ + 1, m_ + 1, m_) = jacobian_.transpose();
+    matrix.block(m_, m_ + 1, m_ + 1, m_) = jacobian().transpose();
     matrix.block(n - 1, m_ + 1, 1, m_) = 2 * w.transpose();
     Eigen::VectorXd right(n);
     right << values_ + gap * w, combined, w.squaredNorm() - 1;
@@ -61,16 +61,16 @@ class MooreSystem {
     values_.resize(m_);
     const bool is_defined = curve_->jacobian({v.data(), static_cast<std::size_t>(m_) + 1},
                                              {values_.data(), static_cast<std::size_t>(m_)}, derivatives_);
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    jacobian_ = Eigen::Map<const RowMajor>(derivatives_.data(), m_, m_ + 1);
     return is_defined;
   }
+
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<const RowMajor> jacobian() const { return {derivatives_.data(), m_, m_ + 1}; }
 
   Curve* curve_;
   Index m_;
   Matrix<double> derivatives_;
   Eigen::VectorXd z_, values_;
-  Eigen::MatrixXd jacobian_;
   bool is_defined_ = false;
 };
 
@@ -78,12 +78,16 @@ class MooreSystem {
 
 std::optional<CriticalPoint> critical_point_near(Curve& curve, const std::vector<double>& v0, double radius) {
   constexpr int kIterations = 20;
+  constexpr int kFirst = 3;  // that need not contract
   constexpr double kConverged = 1e-10;
   MooreSystem system(curve, v0);
   if (!system.is_defined()) return std::nullopt;
   const Eigen::VectorXd start = system.v();
+  double before = HUGE_VAL;
   for (int k = 0; k < kIterations; ++k) {
     const double change = system.step();
+    if (k > kFirst && !(change < before / 2) && change > kConverged) return std::nullopt;
+    before = change;
     const double away = (system.v() - start).norm();
     if (!(away <= radius)) return std::nullopt;
     if (change > kConverged * (1 + start.norm())) continue;

@@ -23,7 +23,8 @@ class Curve {
   virtual bool values(std::span<const double> v, std::span<double> result) = 0;
   /// H(v), and its m by m + 1 Jacobian. False where some equation is undefined.
   virtual bool jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) = 0;
-  /// Of every Jacobian; nullptr where it is not known. It lives as long as the curve.
+  /// Of every Jacobian, where sparse factors are wanted of it; nullptr where dense ones are. It lives as long
+  /// as the curve. Entries elsewhere are 0, or left as they are, which is 0 in a matrix that is new.
   virtual const SparsityPattern* pattern() const { return nullptr; }
 };
 

@@ -1,5 +1,6 @@
 #include "homotopy/curve_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gcslab {
@@ -18,6 +19,12 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
+double largest(const std::vector<double>& a) {
+  double result = 0;
+  for (const double x : a) result = std::max(result, std::abs(x));
+  return result;
+}
+
 std::vector<double> point_between(const CurvePoint& a, const CurvePoint& b, double u) {
   const double span = distance(a.v, b.v);
   std::vector<double> result;
@@ -30,6 +37,7 @@ TangentSolver::TangentSolver(Curve& curve)
       matrix_(curve.pattern()),
       values_(curve.size()),
       zero_(curve.size(), 0.0),
+      change_(curve.size() + 1),
       jacobian_(curve.size(), curve.size() + 1) {}
 
 bool TangentSolver::find(CurvePoint& point, std::span<const double> along) {
@@ -40,6 +48,12 @@ bool TangentSolver::find(CurvePoint& point, std::span<const double> along) {
   for (double& x : point.tangent) x /= length;
   point.orientation = matrix_.determinant_sign();
   return true;
+}
+
+double TangentSolver::polish(CurvePoint& point) {
+  matrix_.solve(values_, 0, change_);
+  for (std::size_t i = 0; i < change_.size(); ++i) point.v[i] -= change_[i];
+  return norm(change_);
 }
 
 }  // namespace gcslab

@@ -20,6 +20,8 @@ struct CurvePoint {
 double dot(const std::vector<double>& a, const std::vector<double>& b);
 double norm(const std::vector<double>& a);
 double distance(const std::vector<double>& a, const std::vector<double>& b);
+/// The absolute value of the largest coordinate.
+double largest(const std::vector<double>& a);
 
 /// A cubic on [0, 1] by its ends and its derivatives there (Hermite).
 struct Cubic {
@@ -51,13 +53,15 @@ class TangentSolver {
   /// The tangent at point.v on the side of `along`, and the orientation; false where J is undefined or (J;
   /// along) is singular.
   bool find(CurvePoint& point, std::span<const double> along);
+  /// One change of Newton's method by what was found for the point, to which it is applied; its length.
+  double polish(CurvePoint& point);
   /// (J; along) of the last point.
   const BorderedMatrix& matrix() const { return matrix_; }
 
  private:
   Curve* curve_;
   BorderedMatrix matrix_;
-  std::vector<double> values_, zero_;
+  std::vector<double> values_, zero_, change_;
   Matrix<double> jacobian_;
 };
 

@@ -100,7 +100,9 @@ bool Homotopy::values(std::span<const double> v, std::span<double> result) {
 bool Homotopy::jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) {
   move_to(v);
   std::ranges::fill(result, 0.0);
-  std::fill_n(derivatives.data(), m_ * (m_ + 1), 0.0);
+  for (std::size_t row = 0; row < m_; ++row) {
+    for (const std::uint32_t column : pattern_[row]) derivatives(row, column) = 0;
+  }
   forms_.add_derivatives(x_, speed_, column_, result, derivatives);
   for (Equation& equation : equations_) {
     if (!evaluate(equation)) return false;

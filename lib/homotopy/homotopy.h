@@ -19,6 +19,13 @@
 
 namespace gcslab {
 
+/// Of the factors of a curve's Jacobians.
+enum class LinearAlgebra {
+  automatic,  ///< dense below Homotopy::kSparseFrom unknowns, else sparse
+  dense,
+  sparse
+};
+
 /// What an equation, as balanced, equals at t: (1 - t) (start + leading t).
 struct EquationOffset {
   std::size_t equation;
@@ -27,6 +34,10 @@ struct EquationOffset {
 
 class Homotopy final : public FigureCurve {
  public:
+  /// Where steps take the same time with both factors, by configs/study/path-cost.yaml: 100 to 150 unknowns
+  /// of polygons and prisms, between 200 and 300 of triangulated polyhedra, whose factors fill in more.
+  static constexpr std::size_t kSparseFrom = 160;
+
   /// The equations are as many as the unknowns. One thread uses it at a time.
   Homotopy(const GeometricEquations& equations, std::unique_ptr<ParameterPath> path, double unit = 1);
   Homotopy(const Homotopy&) = delete;
@@ -54,7 +65,8 @@ class Homotopy final : public FigureCurve {
 
   bool values(std::span<const double> v, std::span<double> result) override;
   bool jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) override;
-  const SparsityPattern* pattern() const override { return &pattern_; }
+  void use(LinearAlgebra kind) { linear_algebra_ = kind; }
+  const SparsityPattern* pattern() const override { return is_sparse() ? &pattern_ : nullptr; }
 
  private:
   /// An equation in the variables that occur in it.
@@ -67,6 +79,10 @@ class Homotopy final : public FigureCurve {
     std::vector<double> point;
   };
 
+  bool is_sparse() const {
+    return linear_algebra_ == LinearAlgebra::sparse ||
+           (linear_algebra_ == LinearAlgebra::automatic && m_ >= kSparseFrom);
+  }
   void add(const Expression& equation, std::size_t row);
   void move_to(std::span<const double> v);
   bool evaluate(Equation& equation);
@@ -76,6 +92,7 @@ class Homotopy final : public FigureCurve {
   CubicForms forms_;
   std::vector<Equation> equations_;  ///< those that are not in `forms_`
   SparsityPattern pattern_;
+  LinearAlgebra linear_algebra_ = LinearAlgebra::automatic;
   std::vector<EquationOffset> offsets_;
   std::vector<double> weights_;      ///< of the equations
   std::vector<double> x_;            ///< unknowns, then parameters

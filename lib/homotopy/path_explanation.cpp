@@ -1,5 +1,6 @@
 #include "homotopy/path_explanation.h"
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "geometry/degeneracies.h"
@@ -14,7 +15,7 @@ constexpr double kStuckNear = 1e-3;  ///< of what stops a path
 
 class Explanation {
  public:
-  Explanation(const ConstraintSystem& system, const GeometricEquations& equations, const FigureCurve& curve,
+  Explanation(const ConstraintSystem& system, const GeometricEquations& equations, FigureCurve& curve,
               double extent)
       : system_(&system), equations_(&equations), curve_(&curve), extent_(extent) {}
 
@@ -31,6 +32,10 @@ class Explanation {
     if (end == PathEnd::stuck && (is_t_far || !found.far.empty())) end = PathEnd::to_infinity;
     if (end == PathEnd::to_infinity) return text;
     const auto rough = constraint_not_smooth_at(*system_, figure(last), extent_, kStuckNear);
+    if (!rough && end == PathEnd::stuck && is_singular(last)) {
+      end = PathEnd::to_undefined;
+      return "constraints depend on each other" + (text.empty() ? "" : ": " + text);
+    }
     if (!rough) return text;
     end = PathEnd::to_undefined;
     return system_->describe(system_->constraints[*rough]) + " is not smooth" +
@@ -38,18 +43,32 @@ class Explanation {
   }
 
  private:
+  /// Whether the Jacobian has lost rank there, by much more than where a path turns sharply.
+  bool is_singular(const std::vector<double>& v) const {
+    constexpr double kSingular = 1e-9;
+    const auto m = static_cast<Eigen::Index>(curve_->size());
+    std::vector<double> values(curve_->size());
+    Matrix<double> jacobian(curve_->size(), curve_->size() + 1);
+    if (!curve_->jacobian(v, values, jacobian)) return false;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(m, m + 1);
+    factors.setThreshold(kSingular);
+    factors.compute(Eigen::Map<const RowMajor>(jacobian.data(), m, m + 1));
+    return factors.rank() < m;
+  }
+
   Figure figure(const std::vector<double>& v) const { return figure_at(*equations_, curve_->unknowns(v)); }
 
   const ConstraintSystem* system_;
   const GeometricEquations* equations_;
-  const FigureCurve* curve_;
+  FigureCurve* curve_;
   double extent_;
 };
 
 }  // namespace
 
 PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
-                        const FigureCurve& curve, double extent) {
+                        FigureCurve& curve, double extent) {
   const Explanation explanation(system, equations, curve, extent);
   PathExplanation result;
   for (const BranchPoint& point : path.branch_points)

@@ -18,8 +18,9 @@ struct PathExplanation {
 
 /// Names what is special about the figures of branch points and ends, and tells more of the ends: a path that
 /// is stuck on figures of which points are far away goes to infinity, and one that is stuck where the
-/// equations are not smooth, to an undefined point. `extent` is the size of usual figures on the path.
+/// equations are not smooth or their Jacobian loses rank, to an undefined point. `extent` is the size of
+/// usual figures on the path.
 PathExplanation explain(Path& path, const ConstraintSystem& system, const GeometricEquations& equations,
-                        const FigureCurve& curve, double extent);
+                        FigureCurve& curve, double extent);
 
 }  // namespace gcslab

@@ -10,6 +10,7 @@
 #include "homotopy/level_crossing.h"
 #include "homotopy/path_certifier.h"
 #include "homotopy/predictor.h"
+#include "homotopy/smooth_step.h"
 
 namespace gcslab {
 namespace {
@@ -58,6 +59,7 @@ class Tracker {
         certifier_(aids.certifier),
         predictor_(predictor_registry().at(options.predictor).make(curve)),
         corrector_(curve, options.corrector),
+        exact_corrector_(curve, {CorrectorKind::newton, 1e-12}),
         precise_corrector_(aids.precise == nullptr ? curve : *aids.precise, {CorrectorKind::newton, 1e-13}),
         at_here_(curve),
         at_next_(curve),
@@ -147,9 +149,12 @@ class Tracker {
     is_defined_ = at_next_.find(next_, here.tangent);
     if (!is_defined_) return false;
     if (options_->step_control == StepControl::fixed) return true;
+    if (!is_precise && !(at_next_.polish(next_) <= options_->corrector.tolerance * (1 + largest(next_.v))))
+      return false;
     const double cosine = dot(next_.tangent, here.tangent);
     if (correction.first > kLargestDeviation * state_.step || !(cosine > std::cos(options_->largest_turn)))
       return false;
+    if (!is_smooth()) return false;
     if (crosses_twice(1, here, next_)) return false;
     if (turns_near(1, here, next_) && !ends_at_turning_point()) return false;
     if (next_.orientation != here.orientation && !passes_a_branch_point()) return false;
@@ -176,6 +181,15 @@ class Tracker {
       if (solve_at_level(*curve_, next_.v) && at_next_.find(next_, here.tangent)) return true;
     }
     return false;
+  }
+
+  /// Whether the curve, as far as one more point tells, leads from the current point to the next.
+  bool is_smooth() {
+    constexpr double kLargestHalfWay = 0.002;  // in steps
+    const CurvePoint& here = state_.here;
+    const double rounding = options_->corrector.tolerance * (1 + largest(here.v));
+    return distance_half_way(*curve_, at_next_.matrix(), here, next_) <=
+           kLargestHalfWay * distance(here.v, next_.v) + rounding;
   }
 
   /// Cuts the step where t turns back near 1: then it is seen whether it crosses.
@@ -237,10 +251,12 @@ class Tracker {
       if (auto point = point_at(1, *curve_, here, next_))
         path.crossings.push_back({std::move(point->v), middle, point->rank});
     }
-    const bool is_back = passes_through(start_, here);
+    // Not in the first step from there: the point may have been improved, and lie a little before itself.
+    const bool is_back = state_.before && passes_through(start_, here);
     path.length += is_back ? distance(here.v, start_.v) : travelled;
-    const bool is_loop =
-        !is_back && state_.steps_to_next_landmark > 1 && passes_through(state_.landmark, here);
+    const bool is_first_from_landmark = state_.steps_to_next_landmark == path.steps;
+    const bool is_loop = !is_back && state_.steps_to_next_landmark > 1 && !is_first_from_landmark &&
+                         passes_through(state_.landmark, here);
     state_.length += travelled;
     state_.before = std::exchange(state_.here, next_);
     is_exact_ = false;
@@ -265,6 +281,7 @@ class Tracker {
   /// Brent's way to notice loops: the landmark moves after 1, 2, 4, ... steps.
   void move_landmark() {
     if (--state_.steps_to_next_landmark > 0) return;
+    exact_corrector_.correct(CurvePoint(state_.here), at_here_.matrix(), 1, state_.here.v);
     state_.landmark = state_.here;
     state_.steps_to_next_landmark = state_.path.steps + 1;
   }
@@ -286,8 +303,7 @@ class Tracker {
       (height(point_between(here, next_, middle)) < 0 ? low : high) = middle;
     }
     std::vector<double> v = point_between(here, next_, high);
-    Corrector exact(*curve_, {CorrectorKind::newton, 1e-12});
-    exact.correct(point, at_here_.matrix(), span, v);
+    exact_corrector_.correct(point, at_here_.matrix(), span, v);
     return distance(v, point.v) <= kNear * (1 + norm(point.v));
   }
 
@@ -302,6 +318,7 @@ class Tracker {
   PathCertifier* certifier_;
   std::unique_ptr<Predictor> predictor_;
   Corrector corrector_;
+  Corrector exact_corrector_;
   Corrector precise_corrector_;
   TangentSolver at_here_, at_next_;
   CurvePoint start_;

@@ -50,7 +50,7 @@ struct TrackerOptions {
 enum class PathEnd {
   cycle,         ///< back at the start
   to_infinity,   ///< far out
-  to_undefined,  ///< to a point at which the equations are undefined
+  to_undefined,  ///< to a point at which the equations are undefined, or so singular that it goes on nowhere
   stuck,         ///< no step succeeds
   budget         ///< the steps are used up, or the user or an option stopped it
 };

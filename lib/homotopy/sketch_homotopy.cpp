@@ -79,6 +79,7 @@ SketchHomotopy::SketchHomotopy(const ConstraintSystem& system, const Frame& fram
     homotopy_.emplace(equations, parameter_path(options.interpolation, system, first.parameters, wanted),
                       unit_);
     start_ = homotopy_->point(first.unknowns, 0);
+    homotopy_->use(options.linear_algebra);
     homotopy_->balance(start_);
   };
   bool is_as_drawn = options.booleans == Booleans::perturbed;

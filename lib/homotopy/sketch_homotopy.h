@@ -28,6 +28,7 @@ struct SketchHomotopyOptions {
   Booleans booleans = Booleans::perturbed;
   /// Leading coefficient of the perturbation (1 - t) t where the sketch satisfies boolean constraints.
   double leading = 0.1;
+  LinearAlgebra linear_algebra = LinearAlgebra::automatic;
 };
 
 class SketchHomotopy {

@@ -87,6 +87,17 @@ TEST_F(SketchPaths, OfTheHexahedronPassThroughFlatFigures) {
   EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0);
 }
 
+/// Coplanarities name the plane of the top by three points; where these are on a line, they hold anyway.
+TEST_F(SketchPaths, EndWhereConstraintsDependOnEachOther) {
+  ASSERT_EQ(shell("$gcslab solve figure_families/prism-13 --set booleans=kept --json r.json").exit_code, 0);
+  const Json path = result()["paths"][0];
+  EXPECT_EQ(path["type"], "to_undefined");
+  const std::string configuration = path["configuration"];
+  EXPECT_NE(configuration.find("constraints depend on each other: P13, P17, P21 are collinear"),
+            std::string::npos)
+      << configuration;
+}
+
 TEST_F(SketchPaths, EndInANamedWayWhereNoFigureExists) {
   for (const char* seed : {"1", "2", "3"}) {
     const Answer answer =

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/constraint_system_reader.h"
+#include "geometry/frame.h"
+#include "geometry/sketch.h"
 #include "support/fuzz.h"
 #include "unit/geometry/constraint_case.h"
 
@@ -52,6 +54,29 @@ TEST(FigureProjection, LeavesAFigureThatHasNothingToSatisfy) {
   const FigureProjection same = satisfy_common_equations(system, geometric_equations(system, {}), unknowns);
   EXPECT_TRUE(same.holds);
   EXPECT_EQ(same.unknowns, unknowns);
+}
+
+/// Where P0 and P1 coincide the two faces that they share are flat; in the frame that is one equation.
+TEST(FigureProjection, DoesNotLetPointsMeetThatHaveADistance) {
+  const ConstraintSystem system = read_constraint_system(
+      YamlNode::load_file(std::string(GCSLAB_SOURCE_DIR) + "/data/polyhedra/hexahedron.yaml"));
+  const Frame frame = frame_of(system);
+  const GeometricEquations equations = geometric_equations(system, frame);
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ConstraintSystem drawn = system;
+    drawn.sketch.reset();
+    drawn.random_sketch = seed;
+    const Figure sketch = in_frame(system, frame, *sketch_of(drawn));
+    const FigureProjection moved =
+        satisfy_common_equations(system, equations, unknowns_of(equations, sketch));
+    ASSERT_TRUE(moved.holds) << seed;
+    const Figure figure = figure_at(equations, moved.unknowns);
+    for (const Constraint& constraint : system.constraints) {
+      if (!constraint.parameter) continue;
+      const std::size_t p = constraint.objects[0], q = constraint.objects[1];
+      EXPECT_GT(distance(figure[p], figure[q]), 1e-4 * distance(sketch[p], sketch[q])) << seed;
+    }
+  }
 }
 
 /// Lines of length 1 cannot be parallel and perpendicular at once.

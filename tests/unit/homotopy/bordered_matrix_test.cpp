@@ -38,7 +38,7 @@ TEST(BorderedMatrix, SparseAndDenseFactorsAgree) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const SparseExample example(seed);
     const std::size_t n = example.border.size();
-    BorderedMatrix dense, sparse(&example.pattern, 0);
+    BorderedMatrix dense, sparse(&example.pattern);
     ASSERT_TRUE(dense.factorise(example.jacobian, example.border));
     ASSERT_TRUE(sparse.factorise(example.jacobian, example.border));
     EXPECT_EQ(sparse.determinant_sign(), dense.determinant_sign()) << seed;
@@ -66,11 +66,11 @@ TEST(BorderedMatrix, ASingularMatrixIsRefusedByBothFactors) {
   for (std::size_t i = 0; i < example.border.size(); ++i) example.border[i] = example.jacobian(7, i);
   for (const SparsityPattern* pattern : {static_cast<const SparsityPattern*>(nullptr),
                                          static_cast<const SparsityPattern*>(&example.pattern)}) {
-    BorderedMatrix matrix(pattern, 0);
+    BorderedMatrix matrix(pattern);
     EXPECT_FALSE(matrix.factorise(example.jacobian, example.border));
   }
   example.border[3] = NAN;
-  BorderedMatrix matrix(&example.pattern, 0);
+  BorderedMatrix matrix(&example.pattern);
   EXPECT_FALSE(matrix.factorise(example.jacobian, example.border));
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "homotopy/predictor.h"
+#include "homotopy/smooth_step.h"
 #include "support/corpus_figure.h"
 #include "support/error_text.h"
 #include "support/fuzz.h"
@@ -91,6 +92,23 @@ TEST(PathTracker, CrossesTheSameWithEveryPredictorAndCorrector) {
   }
 }
 
+TEST(PathTracker, CrossesTheSameWithDenseAndSparseFactors) {
+  const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
+  for (std::uint64_t seed = 0; seed < fuzz_cases(10); ++seed) {
+    const Figure sketch = octahedron.random_sketch(seed);
+    SketchHomotopy dense = octahedron.homotopy(sketch, {.linear_algebra = LinearAlgebra::dense});
+    SketchHomotopy sparse = octahedron.homotopy(sketch, {.linear_algebra = LinearAlgebra::sparse});
+    EXPECT_EQ(dense.curve().pattern(), nullptr);
+    ASSERT_NE(sparse.curve().pattern(), nullptr);
+    const Path one = follow_path(dense.curve(), dense.start(), {});
+    const Path other = follow_path(sparse.curve(), sparse.start(), {});
+    EXPECT_EQ(one.end, other.end) << "seed " << seed;
+    ASSERT_EQ(one.crossings.size(), other.crossings.size()) << "seed " << seed;
+    for (std::size_t k = 0; k < one.crossings.size(); ++k)
+      EXPECT_LT(distance(one.crossings[k].v, other.crossings[k].v), 1e-9) << "seed " << seed;
+  }
+}
+
 TEST(PathTracker, OfASingularSketchIsRefusedWithTheReason) {
   const CorpusFigure octahedron = corpus_figure("polyhedra/octahedron");
   Figure flat(6, std::vector<double>(3, 0.0));
@@ -133,6 +151,44 @@ TEST(PathTracker, TurnsWhereBranchesOnlyComeNear) {
     EXPECT_TRUE(path.branch_points.empty()) << gap;
     EXPECT_TRUE(path.crossings.empty()) << gap;  // the other oval's
   }
+}
+
+/// A curve that flat figures cross at a small angle, where t hardly moves: a long step would turn onto the
+/// flat figures, which all have t = 1, without a sign that says so.
+TEST(PathTracker, StaysOnItsBranchWhereAnotherCrossesAtASmallAngle) {
+  const CorpusFigure hexahedron = corpus_figure("polyhedra/hexahedron");
+  for (const std::uint64_t seed : {13U, 40U, 71U}) {
+    SketchHomotopy homotopy =
+        hexahedron.homotopy(hexahedron.random_sketch(seed), {.booleans = Booleans::projected});
+    std::size_t flat = 0;
+    const Path path = follow_path(homotopy.curve(), homotopy.start(), {.maximum_steps = 20'000}, {},
+                                  {.observer = [&](const PathState& state) {
+                                    if (std::abs(state.here.v.back() - 1) < 1e-8) ++flat;
+                                  }});
+    EXPECT_EQ(path.end, PathEnd::cycle) << "seed " << seed;
+    EXPECT_LE(flat, path.crossings.size()) << "seed " << seed;
+  }
+}
+
+/// Two lines that cross at an angle of about 0.2.
+TEST(PathTracker, DistanceHalfWayTellsAStepToAnotherBranch) {
+  constexpr double kAngle = 0.2;
+  auto lines = PlaneCurve([]<class T>(const T& x, const T& t) {  // t = 0 and t = angle x
+    const T b = t - T(kAngle) * x;
+    return std::array<T, 3>{t * b, T(-kAngle) * t, b + t};
+  });
+  const auto point_at = [&](double x, double slope) {
+    return CurvePoint{{x, slope * x}, {1 / std::hypot(1, slope), slope / std::hypot(1, slope)}, 0};
+  };
+  const CurvePoint before = point_at(-0.3, 0), straight = point_at(0.3, 0), astray = point_at(0.3, kAngle);
+  const auto distance_to = [&](const CurvePoint& point) {
+    TangentSolver tangents(lines);
+    CurvePoint found = point;
+    EXPECT_TRUE(tangents.find(found, point.tangent));
+    return distance_half_way(lines, tangents.matrix(), before, point);
+  };
+  EXPECT_LT(distance_to(straight), 1e-14);
+  EXPECT_GT(distance_to(astray), 0.01 * kAngle * distance(before.v, astray.v));
 }
 
 TEST(PathTracker, TellsInfinityAndUndefinedPoints) {

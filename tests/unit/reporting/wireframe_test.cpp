@@ -96,8 +96,9 @@ TEST(Wireframe, ReflectionsOfAFigureInItsFrameLookTheSame) {
         if ((signs >> axis & 1) != 0) point[static_cast<std::size_t>(axis)] *= -1;
       }
     }
-    EXPECT_EQ(reflected_upright(figure, {0, 1, 2}), upright) << signs;
-    EXPECT_EQ(reflected_upright(figure, {}), figure);
+    const std::vector<Sort> sorts(figure.size(), Sort::point);
+    EXPECT_EQ(reflected_upright(figure, sorts, {0, 1, 2}), upright) << signs;
+    EXPECT_EQ(reflected_upright(figure, sorts, {}), figure);
   }
 }
 
@@ -126,7 +127,7 @@ TEST(ClassAlignment, PutsFiguresThatAreTheSameIntoOneLine) {
   const FigurePicture first = sample_picture();
   FigurePicture second = first;
   std::swap(second.figures[0], second.figures[1]);
-  for (auto& point : second.figures[1].points) point = {7 - point[1], point[0]};  // a rigid motion
+  for (auto& point : second.figures[1].places) point = {7 - point[1], point[0]};  // a rigid motion
   second.figures.push_back({{{0, 0}, {5, 0}, {2, 2}}, 1, true});
   using Line = AlignedLine;
   const auto lines = aligned_classes({&first, nullptr, &second});
@@ -218,6 +219,41 @@ TEST(Figures, ShowEveryRow) {
   item.options.clear();
   EXPECT_TRUE(has(error_text([&] { draw_figure(item, sample_context({sample_row("p", "m", 1, 1)})); }),
                   "the rows hold no figures"));
+}
+
+ReportItem figures_item() {
+  ReportItem item = sample_item("f", {}, {}, {});
+  item.form = ReportItem::Form::figure;
+  item.kind = "figures";
+  return item;
+}
+
+TEST(Figures, OfOneColumnStandInLines) {
+  ReportItem item = figures_item();
+  const ReportContext context = sample_context({figures_row("adaptive", sample_picture())});
+  EXPECT_TRUE(has(draw_figure(item, context).data(), "line 2, column 1"));
+  set_option(item, "per_line", "2");
+  const FigureScript script = draw_figure(item, context);
+  EXPECT_TRUE(has(script.data(), "line 1, column 2")) << script.data();
+  EXPECT_FALSE(has(script.data(), "line 2"));
+  EXPECT_TRUE(has(script.commands(), "'c = −5'"));
+  set_option(item, "parameters", "false");
+  EXPECT_FALSE(has(draw_figure(item, context).commands(), "'c = −5'"));
+}
+
+TEST(Figures, SketchesStandSideBySide) {
+  FigurePicture one = sample_picture(), other = sample_picture();
+  one.sketch = {{0, 0}, {5, 0}, {4, 3}};
+  other.sketch = {{0, 0}, {1, 0}, {4, 3}};
+  Row first = figures_row("m", one), second = figures_row("m", other);
+  second.axes = {{"problem", "triangles/two"}, {"method", "m"}, {"depth", "2"}, {"seed", "1"}};
+  ReportItem item = figures_item();
+  item.columns = {"problem"};
+  set_option(item, "show", "sketch");
+  const FigureScript script = draw_figure(item, sample_context({first, second}));
+  EXPECT_TRUE(has(script.data(), "line 1, column 2")) << script.data();
+  EXPECT_FALSE(has(script.data(), "line 2"));
+  EXPECT_TRUE(has(script.commands(), "'c'")) << "parameters without values";
 }
 
 }  // namespace
