@@ -1,6 +1,5 @@
 // Methods that follow the homotopy path of a constraint system's sketch: settings of one tracker.
 
-
 #include "base/error.h"
 #include "certification/root_certifier.h"
 #include "experiments/solving/path_settings.h"
