@@ -1,15 +1,20 @@
 // Methods that construct the figures of a constraint system by a plan.
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 #include "base/error.h"
 #include "certification/root_certifier.h"
 #include "construction/exploration.h"
 #include "construction/plan_homotopy.h"
+#include "construction/plan_newton.h"
+#include "construction/plan_simplices.h"
 #include "experiments/solving/path_settings.h"
 #include "experiments/solving/sketch_source.h"
 #include "geometry/degrees_of_freedom.h"
 #include "geometry/sketch.h"
+#include "homotopy/level_crossing.h"
 
 namespace gcslab {
 namespace {
@@ -86,6 +91,110 @@ SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSetti
   return outcome;
 }
 
+/// The point of the plan's curve with these guides, over the unit, on the branch, at t = 1, polished.
+Crossing crossing_at(BranchMap& map, PlanCurve& curve, const std::vector<double>& guides,
+                     const Branch& branch, double length) {
+  std::vector<double> v = guides, values(map.guides());
+  v.push_back(1);
+  map.values(branch, v, values);
+  v.pop_back();
+  for (const double height : map.heights()) v.push_back(height / map.unit());
+  v.push_back(1);
+  solve_at_level(curve, v);
+  const std::size_t rank = rank_at(curve, v);
+  return {std::move(v), length, rank};
+}
+
+/// What the methods on branches work with.
+struct Branched {
+  Branched(const PlanSource& given, const Options& options)
+      : sketched(given.system, given.source.geometry.frame, given.equations, given.wanted,
+                 given.source.sketch, homotopy_options(options)),
+        homotopy(given.system, given.source.geometry.frame, given.equations, sketched, plan_kind(options)),
+        map(homotopy.motion()) {}
+
+  SketchHomotopy sketched;
+  PlanHomotopy homotopy;
+  BranchMap map;
+};
+
+SolveOutcome follow_branches(const SystemFunctions& functions, const SolveSettings& settings,
+                             const std::optional<SearchStart>&, const std::stop_token& stop,
+                             SearchObserver*) {
+  const PlanSource given(functions, settings);
+  const Options& options = settings.options;
+  Branched branched(given, options);
+  PlanCurve& curve = branched.homotopy.curve();
+  const double extent = branched.sketched.extent();
+  const PlanSimplexPath found = follow_plan_simplices(
+      branched.map, branched.homotopy.start(),
+      {options.real("mesh"), options.real("infinity") * extent / branched.sketched.unit(),
+       static_cast<std::uint64_t>(options.integer("maximum_simplices"))},
+      stop);
+  Path path;
+  path.end = found.end;
+  path.other_end = found.other_end;
+  path.length = found.length;
+  path.steps = found.simplices;
+  for (const BranchCrossing& crossing : found.crossings) {
+    std::vector<double> guides = crossing.v;
+    guides.pop_back();
+    path.crossings.push_back(crossing_at(branched.map, curve, guides, crossing.branch, crossing.length));
+  }
+  FollowedPath followed{solutions_of(std::move(path), curve, functions, options.word("certifier")), {}};
+  followed.explanation.end = followed.explanation.other_end = found.failure;
+  SolveOutcome outcome = outcome_of(std::move(followed), false);
+  outcome.plan = report_of(branched.homotopy.program().plan(), given.system);
+  outcome.plan->branch_changes = found.changes.size();
+  return outcome;
+}
+
+SolveOutcome search_branches(const SystemFunctions& functions, const SolveSettings& settings,
+                             const std::function<BranchSearch(const PlanSource&, Branched&)>& search) {
+  const PlanSource given(functions, settings);
+  Branched branched(given, settings.options);
+  PlanCurve& curve = branched.homotopy.curve();
+  const BranchSearch found = search(given, branched);
+  Path path;
+  for (const BranchSolution& solution : found.solutions)
+    path.crossings.push_back(crossing_at(branched.map, curve, solution.guides, solution.branch, 0));
+  const SketchSolutions listed =
+      solutions_of(std::move(path), curve, functions, settings.options.word("certifier"));
+  SolveOutcome outcome;
+  for (const SketchSolution& solution : listed.solutions)
+    outcome.search.solutions.push_back(found_solution(solution.unknowns, solution.root));
+  outcome.status = Status::partial;
+  outcome.steps = found.evaluations;
+  outcome.plan = report_of(branched.homotopy.program().plan(), given.system);
+  if (listed.solutions.empty())
+    outcome.reason = fmt::format(
+        "no solution: {} branches never inside of their domain, {} stopped at its border or a minimum, {} "
+        "unfinished",
+        found.outside, found.stuck, found.unfinished);
+  return outcome;
+}
+
+SolveOutcome newton_in_guides(const SystemFunctions& functions, const SolveSettings& settings,
+                              const std::optional<SearchStart>&, const std::stop_token&, SearchObserver*) {
+  return search_branches(functions, settings, [](const PlanSource&, Branched& branched) {
+    std::vector<double> guides = branched.homotopy.start().guides;
+    for (double& guide : guides) guide /= branched.map.unit();
+    return newton_on_branches(branched.map, guides);
+  });
+}
+
+SolveOutcome sampled_guide(const SystemFunctions& functions, const SolveSettings& settings,
+                           const std::optional<SearchStart>&, const std::stop_token&, SearchObserver*) {
+  const auto samples = static_cast<std::size_t>(settings.options.integer("samples"));
+  return search_branches(functions, settings, [samples](const PlanSource& given, Branched& branched) {
+    double largest = 0;  // no distance is more than all that are given
+    for (const Constraint& constraint : given.system.constraints) {
+      if (constraint.kind->name == "distance") largest += given.wanted[*constraint.parameter];
+    }
+    return sample_branches(branched.map, largest / branched.map.unit(), samples);
+  });
+}
+
 SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSettings& settings,
                               const std::optional<SearchStart>&, const std::stop_token& stop,
                               SearchObserver*) {
@@ -118,6 +227,17 @@ SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSetti
   return outcome;
 }
 
+std::vector<OptionSpec> branch_options(std::vector<OptionSpec> own) {
+  std::vector<OptionSpec> specs = {plan_option("least")};
+  const auto add = [&](const std::vector<OptionSpec>& more) {
+    specs.insert(specs.end(), more.begin(), more.end());
+  };
+  add(own);
+  add(homotopy_option_specs());
+  add({random_sketch_option(), certifier_option()});
+  return specs;
+}
+
 std::vector<OptionSpec> shared_options(const std::string& plan, std::vector<OptionSpec> own) {
   std::vector<OptionSpec> specs = {plan_option(plan)};
   const auto add = [&](const std::vector<OptionSpec>& more) {
@@ -134,29 +254,48 @@ std::vector<OptionSpec> shared_options(const std::string& plan, std::vector<Opti
 }  // namespace
 
 std::vector<SolveMethod> plan_methods() {
+  const auto method = [](std::string name, std::string summary, std::vector<OptionSpec> options, auto solve,
+                         std::string no_search, bool follows_path = false) {
+    return SolveMethod{std::move(name), std::move(summary), 1,  std::move(options),
+                       solve,           Promise::rigorous,  {}, std::move(no_search),
+                       follows_path};
+  };
   return {
-      {"plan_path",
-       "constraint systems: the homotopy path of the sketch in the guide parameters and heights of a "
-       "construction plan (after Gao, Hoffmann, Yang 2004 and Imbach 2013)",
-       1,
-       shared_options("least", {}),
-       solve_along_plan,
-       Promise::rigorous,
-       {},
-       "follows a path",
-       true},
-      {"plan_exploration",
-       "constraint systems: new sketches from every solution by the branches of a construction plan, and the "
-       "path of each, until nothing new is found; a solution a class (Imbach 2013)",
-       1,
-       shared_options("least",
-                      {integer_option("maximum_paths", "work budget", "paths", 100'000, 1, 1'000'000'000),
-                       OptionSpec{"sketches", "branches whose sketches are followed, as +-+/++-, or all",
-                                  std::string("all")}}),
-       explore_sketches,
-       Promise::rigorous,
-       {},
-       "follows paths"}};
+      method("plan_path",
+             "constraint systems: the homotopy path of the sketch in the guide parameters and heights of a "
+             "construction plan (after Gao, Hoffmann, Yang 2004 and Imbach 2013)",
+             shared_options("least", {}), solve_along_plan, "follows a path", true),
+      method(
+          "plan_pli",
+          "the same path in the guide parameters alone, through simplices, from branch to branch of the plan "
+          "(Imbach 2013, section 4.3)",
+          branch_options({real_option("mesh", "edges of the simplices along the axes",
+                                      "in sizes of the sketch and t", 1e-2, 1e-9, 1),
+                          real_option("infinity", "where a path is given up as going there",
+                                      "sizes of the sketch", 1e5, 10, 1e12),
+                          integer_option("maximum_simplices", "work budget", "simplices", 10'000'000, 1,
+                                         1'000'000'000)}),
+          follow_branches, "follows a path"),
+      method("plan_newton",
+             "constraint systems: Newton's iteration for the guide parameters of a construction plan, on "
+             "each branch, "
+             "inside of its domain (Fabre, Schreck 2008)",
+             branch_options({}), newton_in_guides, "searches locally"),
+      method("plan_sampling",
+             "constraint systems: the guide parameter of a construction plan sampled on each branch, changes "
+             "of sign "
+             "bisected (Gao, Hoffmann, Yang 2004)",
+             branch_options({integer_option("samples", "of each branch", "intervals", 1000, 1, 100'000'000)}),
+             sampled_guide, "searches locally"),
+      method("plan_exploration",
+             "constraint systems: new sketches from every solution by the branches of a construction plan, "
+             "and the "
+             "path of each, until nothing new is found; a solution a class (Imbach 2013)",
+             shared_options(
+                 "least", {integer_option("maximum_paths", "work budget", "paths", 100'000, 1, 1'000'000'000),
+                           OptionSpec{"sketches", "branches whose sketches are followed, as +-+/++-, or all",
+                                      std::string("all")}}),
+             explore_sketches, "follows paths")};
 }
 
 }  // namespace gcslab

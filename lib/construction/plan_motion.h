@@ -14,9 +14,14 @@ struct OffsetMotion {
 
 class PlanMotion {
  public:
-  /// Guides are in units. The program and the path must outlive it.
+  /// Guides are in units. One thread uses it at a time. The program and the path must outlive it.
   PlanMotion(const PlanProgram& program, const ParameterPath& path, OffsetMotion offsets, double unit)
-      : program_(&program), path_(&path), offsets_(std::move(offsets)), unit_(unit) {}
+      : program_(&program),
+        path_(&path),
+        offsets_(std::move(offsets)),
+        unit_(unit),
+        parameters_(program.parameters()),
+        speeds_(program.parameters()) {}
 
   const PlanProgram& program() const { return *program_; }
   double unit() const { return unit_; }
@@ -27,11 +32,10 @@ class PlanMotion {
   template <class T, class Seed>
   void set(PlanRun<T>& run, std::span<const double> guides, double t, std::size_t t_column,
            const Seed& seed) const {
-    std::vector<double> parameters(program_->parameters()), speeds(parameters.size());
-    path_->at(t, parameters, speeds);
+    path_->at(t, parameters_, speeds_);
     std::vector<T>& x = run.variables();
-    for (std::size_t p = 0; p < parameters.size(); ++p)
-      x[program_->parameter(p)] = seed(parameters[p], t_column, speeds[p]);
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+      x[program_->parameter(p)] = seed(parameters_[p], t_column, speeds_[p]);
     for (std::size_t c = 0; c < offsets_.start.size(); ++c) {
       const double start = offsets_.start[c], leading = offsets_.leading[c];
       x[program_->offset(c)] = seed((1 - t) * (start + leading * t), t_column, leading * (1 - 2 * t) - start);
@@ -44,6 +48,7 @@ class PlanMotion {
   const ParameterPath* path_;
   OffsetMotion offsets_;
   double unit_;
+  mutable std::vector<double> parameters_, speeds_;
 };
 
 }  // namespace gcslab

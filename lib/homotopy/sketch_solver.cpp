@@ -44,12 +44,10 @@ bool is_same(const SketchSolution& solution, const std::vector<double>& point) {
 
 }  // namespace
 
-SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::vector<double>& start,
-                                 const SystemFunctions& wanted, const TrackerOptions& options,
-                                 const std::string& certifier, const std::stop_token& stop,
-                                 const PathAids& aids) {
+SketchSolutions solutions_of(Path path, FigureCurve& figures, const SystemFunctions& wanted,
+                             const std::string& certifier) {
   SketchSolutions result;
-  result.path = follow_path(curve, start, options, stop, aids);
+  result.path = std::move(path);
   std::erase_if(result.path.crossings, [&](const Crossing& crossing) {
     return is_outside(figures.unknowns(crossing.v), wanted.system().box);
   });
@@ -65,6 +63,13 @@ SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::
                                 !is_regular && lies_on_continuum(figures, crossing.v)});
   }
   return result;
+}
+
+SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::vector<double>& start,
+                                 const SystemFunctions& wanted, const TrackerOptions& options,
+                                 const std::string& certifier, const std::stop_token& stop,
+                                 const PathAids& aids) {
+  return solutions_of(follow_path(curve, start, options, stop, aids), figures, wanted, certifier);
 }
 
 }  // namespace gcslab

@@ -26,10 +26,13 @@ struct SketchSolutions {
   std::vector<std::size_t> solution_of_crossing;  ///< number of the solution, one a crossing of the path
 };
 
-/// Follows the path through `start`, a point with t = 0, and certifies what it crosses in the box of
-/// `wanted`; other crossings are dropped, as those where a radius is negative. `curve` is that of the
-/// figures, perhaps with other derivatives. `wanted` are the equations with the values at t = 1; `certifier`
-/// names theorems (certification/root_certifier.h).
+/// Certifies what a path crosses in the box of `wanted`, the equations at t = 1; other crossings are dropped,
+/// as those where a radius is negative. `certifier` names theorems (certification/root_certifier.h).
+SketchSolutions solutions_of(Path path, FigureCurve& figures, const SystemFunctions& wanted,
+                             const std::string& certifier);
+
+/// Follows the path through `start`, a point with t = 0, and lists its solutions. `curve` is that of the
+/// figures, perhaps with other derivatives.
 SketchSolutions solve_along_path(FigureCurve& figures, Curve& curve, const std::vector<double>& start,
                                  const SystemFunctions& wanted, const TrackerOptions& options,
                                  const std::string& certifier, const std::stop_token& stop = {},

@@ -1,0 +1,63 @@
+// What a user sees of the methods that construct: figures, the plan as text, and why a method does not apply.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/gcslab_shell.h"
+
+namespace gcslab {
+namespace {
+
+using Json = nlohmann::json;
+
+class PlanMethods : public GcslabShell {
+ protected:
+  Json solved(const std::string& arguments, int exit_code = 0) {
+    const Answer answer = shell("$gcslab solve " + arguments + " --json r.json");
+    EXPECT_EQ(answer.exit_code, exit_code) << answer.err;
+    return Json::parse(text_of(folder_ / "r.json"));
+  }
+};
+
+TEST_F(PlanMethods, FindTheOctahedronsFigures) {
+  for (const char* method : {"plan_path", "plan_pli", "plan_sampling", "plan_exploration"}) {
+    const Json result = solved(std::string("polyhedra/octahedron --method ") + method);
+    EXPECT_EQ(result["classes"].size(), 4U) << method;
+    EXPECT_EQ(result["completeness"], "none");
+    EXPECT_EQ(result["plan"]["guides"], 1);
+    EXPECT_EQ(result["plan"]["text"].size(), 8U);
+    const Json solutions = result["solutions"];
+    for (const Json& solution : solutions) EXPECT_EQ(solution["certificate"]["claim"], "unique") << method;
+    EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0) << method;
+  }
+  EXPECT_GT(solved("polyhedra/octahedron --method plan_pli")["plan"]["branch_changes"], 0);
+}
+
+TEST_F(PlanMethods, ExploreFromThePentahedronsSketch) {
+  const Json all = solved("polyhedra/pentahedron --method plan_exploration --set plan=henneberg");
+  EXPECT_EQ(all["classes"].size(), 9U);
+  EXPECT_GT(all["paths"].size(), 1U);
+  const Json paths = all["paths"];
+  for (const Json& path : paths) {
+    const Json crossings = path["crossings"];
+    for (const Json& crossing : crossings) EXPECT_LT(crossing["solution"], all["solutions"].size());
+  }
+  const Json one = solved("polyhedra/pentahedron --method plan_exploration --set maximum_paths=1", 3);
+  EXPECT_EQ(one["paths"].size(), 1U);
+  EXPECT_EQ(one["status"], "budget_exhausted");
+}
+
+TEST_F(PlanMethods, SayWhyTheyDoNotApply) {
+  const auto expect = [&](const std::string& arguments, const std::string& text) {
+    const Answer answer = shell("$gcslab solve " + arguments);
+    EXPECT_EQ(answer.exit_code, 4) << arguments;
+    EXPECT_NE(answer.err.find(text), std::string::npos) << answer.err;
+  };
+  expect("sketches/apollonius --method plan_path", "construction plans place points");
+  expect("polyhedra/octahedron-equations --method plan_exploration", "only constraint systems have a sketch");
+  expect("polyhedra/pentahedron --method plan_sampling", "one guide parameter is sampled");
+  expect("polyhedra/hexahedron-flat --method plan_path", "under-constrained");
+}
+
+}  // namespace
+}  // namespace gcslab
