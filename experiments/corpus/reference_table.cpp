@@ -11,8 +11,8 @@ namespace gcslab {
 namespace {
 
 const std::vector<std::string> kTimings = {"cpu_s", "wall_s"};
-const std::vector<std::string> kCounts = {"boxes",      "bisections", "solutions",    "undecided",
-                                          "lost_roots", "classes",    "flat_classes", "crossings"};
+const std::vector<std::string> kCounts = {"boxes",   "bisections",   "solutions", "undecided", "lost_roots",
+                                          "classes", "flat_classes", "crossings", "steps"};
 
 std::string required_text(const YamlNode& node, std::string_view key) {
   const YamlNode value = node.at(key);

@@ -18,7 +18,7 @@
 // Keys of a run: `status` in the words of base/outcome.h; `said`, what the program called it; times `cpu_s`
 // and `wall_s` in seconds; counts `boxes`, `bisections`, `solutions` (certified), `undecided` (boxes),
 // `lost_roots` (known roots in no box of its answer), and of constraint systems `classes`, `flat_classes` and
-// `crossings`.
+// `crossings`, `steps`.
 
 #include <cstdint>
 #include <filesystem>

@@ -69,6 +69,13 @@ void add_path_values(const Path& path, JobResult& result) {
   result.values["return_proved"] = path.is_return_proved ? 1 : 0;
 }
 
+void add_plan_values(const PlanReport& plan, JobResult& result) {
+  result.values["guides"] = plan.guides;
+  result.values["choices"] = plan.choices;
+  if (plan.sketches) result.values["sketches"] = *plan.sketches;
+  if (plan.branch_changes) result.values["branch_changes"] = *plan.branch_changes;
+}
+
 bool has_option(const Options& options, const std::string& name) { return options.values().contains(name); }
 
 /// What a constraint system's row shows: figures up to isometry, the sketch of methods that have one, and the
@@ -80,7 +87,9 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   if (has_option(settings.options, "random_sketch"))
     picture.sketch = in_frame(source.system, source.frame, sketch_source(settings).sketch);
   result.artifact = to_json(picture);
-  if (found.paths.empty()) return;
+  if (found.plan) add_plan_values(*found.plan, result);
+  if (!found.paths.empty()) result.values["paths"] = found.paths.size();
+  if (found.paths.size() != 1) return;  // of many, only their number
   const FollowedPath& followed = found.paths.front();
   add_path_values(followed.found.path, result);
   if (followed.step_s) result.timings["step_s"] = *followed.step_s;
@@ -127,12 +136,17 @@ std::vector<ValueInfo> SolveTask::values() const {
       {"undecided", "boxes that may hold a solution, with nothing proved", "boxes"},
       {"boxes", "boxes taken from the list", "boxes"},
       {"bisections", "boxes cut in two", "boxes"},
-      {"steps", "steps of a path, or iterations of a search from a sketch", "steps"},
+      {"steps", "of all paths, simplices of a path, or evaluations of a search", "steps"},
       {"classes", "figures found, up to isometry, of a constraint system", "figures"},
       {"regular_classes", "classes with a certified solution", "figures"},
       {"singular_classes", "classes without one, as on continua of solutions", "figures"},
       {"flat_classes", "classes of space with all points in a plane", "figures"},
       {"crossings", "of t = 1 by a path", "crossings"},
+      {"paths", "that were followed", "paths"},
+      {"guides", "distances that a construction plan needs to be given", "guides"},
+      {"choices", "steps of a construction plan with two places", "choices"},
+      {"sketches", "that the branches of a plan gave, the user's included", "sketches"},
+      {"branch_changes", "of a path from one branch of a plan to another", "changes"},
       {"step_s", "median wall time of a step of a path", "s"},
       {"path_type", "how a path ended: cycle, to_infinity, to_undefined, budget"},
       {"other_end", "the same of its other direction"},
