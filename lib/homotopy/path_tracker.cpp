@@ -60,6 +60,7 @@ class Tracker {
         predictor_(predictor_registry().at(options.predictor).make(curve)),
         corrector_(curve, options.corrector),
         exact_corrector_(curve, {CorrectorKind::newton, 1e-12}),
+        smooth_step_(curve),
         precise_corrector_(aids.precise == nullptr ? curve : *aids.precise, {CorrectorKind::newton, 1e-13}),
         at_here_(curve),
         at_next_(curve),
@@ -188,7 +189,7 @@ class Tracker {
     constexpr double kLargestHalfWay = 0.002;  // in steps
     const CurvePoint& here = state_.here;
     const double rounding = options_->corrector.tolerance * (1 + largest(here.v));
-    return distance_half_way(*curve_, at_next_.matrix(), here, next_) <=
+    return smooth_step_.distance_half_way(at_next_.matrix(), here, next_) <=
            kLargestHalfWay * distance(here.v, next_.v) + rounding;
   }
 
@@ -319,6 +320,7 @@ class Tracker {
   std::unique_ptr<Predictor> predictor_;
   Corrector corrector_;
   Corrector exact_corrector_;
+  SmoothStep smooth_step_;
   Corrector precise_corrector_;
   TangentSolver at_here_, at_next_;
   CurvePoint start_;

@@ -4,11 +4,12 @@
 
 namespace gcslab {
 
-double distance_half_way(Curve& curve, const BorderedMatrix& at_b, const CurvePoint& a, const CurvePoint& b) {
-  std::vector<double> values(curve.size()), change(curve.size() + 1);
-  if (!curve.values(point_between(a, b, 0.5), values)) return HUGE_VAL;
-  at_b.solve(values, 0, change);
-  return norm(change);
+double SmoothStep::distance_half_way(const BorderedMatrix& at_b, const CurvePoint& a, const CurvePoint& b) {
+  const double span = distance(a.v, b.v);
+  for (std::size_t i = 0; i < middle_.size(); ++i) middle_[i] = cubic_between(a, b, span, i).at(0.5);
+  if (!curve_->values(middle_, values_)) return HUGE_VAL;
+  at_b.solve(values_, 0, change_);
+  return norm(change_);
 }
 
 }  // namespace gcslab

@@ -185,7 +185,7 @@ TEST(PathTracker, DistanceHalfWayTellsAStepToAnotherBranch) {
     TangentSolver tangents(lines);
     CurvePoint found = point;
     EXPECT_TRUE(tangents.find(found, point.tangent));
-    return distance_half_way(lines, tangents.matrix(), before, point);
+    return SmoothStep(lines).distance_half_way(tangents.matrix(), before, point);
   };
   EXPECT_LT(distance_to(straight), 1e-14);
   EXPECT_GT(distance_to(astray), 0.01 * kAngle * distance(before.v, astray.v));
