@@ -59,9 +59,9 @@ Correction Corrector::iterate(const CurvePoint& here, const BorderedMatrix* at_h
     for (std::size_t i = 0; i < v.size(); ++i) v[i] -= change_[i];
     const double size = 1 + largest(v);
     const double tolerance = std::max(std::min(options_.tolerance * size, kOfStep * step), kRounding * size);
-    // What is left is at most a geometric series; of the first change alone the caller sees by the Jacobian
-    // at the point whether it led to the curve.
-    if (change <= tolerance || (rate < 1 && change * rate <= (1 - rate) * tolerance)) return result;
+    // What is left is at most a geometric series. One small change alone says little: beyond a sharp turn all
+    // are small, and none leads to the curve.
+    if (change <= kRounding * size || (rate < 1 && change * rate <= (1 - rate) * tolerance)) return result;
     before = change;
   }
   result.end = Correction::End::no_contraction;
