@@ -35,10 +35,10 @@ set label '0.0' at screen 0.25364,0.26081 right font ',7' tc rgb '#202020' noenh
 set arrow from screen 0.19230,0.31664 to screen 0.18516,0.30510 nohead lw 0.5 lc rgb '#505050'
 set label '0.5' at screen 0.18039,0.29740 right font ',7' tc rgb '#202020' noenhanced front
 set label 'P5_z' at screen 0.20603,0.21077 right font ',8' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.35341 to screen 0.10905,0.35341 nohead lw 0.5 lc rgb '#505050'
-set label '0' at screen 0.10238,0.35341 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.60098 to screen 0.10905,0.60098 nohead lw 0.5 lc rgb '#505050'
-set label '1' at screen 0.10238,0.60098 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.35343 to screen 0.10905,0.35343 nohead lw 0.5 lc rgb '#505050'
+set label '0' at screen 0.10238,0.35343 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.60099 to screen 0.10905,0.60099 nohead lw 0.5 lc rgb '#505050'
+set label '1' at screen 0.10238,0.60099 right font ',7' tc rgb '#202020' noenhanced front
 set arrow from screen 0.11905,0.84856 to screen 0.10905,0.84856 nohead lw 0.5 lc rgb '#505050'
 set label '2' at screen 0.10238,0.84856 right font ',7' tc rgb '#202020' noenhanced front
 set label 't' at screen 0.03571,0.61886 right font ',8' tc rgb '#202020' noenhanced front

@@ -33,12 +33,12 @@ set label '0.0' at screen 0.25364,0.17993 right font ',7' tc rgb '#202020' noenh
 set arrow from screen 0.19230,0.24188 to screen 0.18516,0.22907 nohead lw 0.5 lc rgb '#505050'
 set label '0.5' at screen 0.18039,0.22053 right font ',7' tc rgb '#202020' noenhanced front
 set label 'P7_z' at screen 0.20603,0.12443 right font ',8' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.36526 to screen 0.10905,0.36526 nohead lw 0.5 lc rgb '#505050'
-set label '0.0' at screen 0.10238,0.36526 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.59597 to screen 0.10905,0.59597 nohead lw 0.5 lc rgb '#505050'
-set label '0.5' at screen 0.10238,0.59597 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.82668 to screen 0.10905,0.82668 nohead lw 0.5 lc rgb '#505050'
-set label '1.0' at screen 0.10238,0.82668 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.36525 to screen 0.10905,0.36525 nohead lw 0.5 lc rgb '#505050'
+set label '0.0' at screen 0.10238,0.36525 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.59596 to screen 0.10905,0.59596 nohead lw 0.5 lc rgb '#505050'
+set label '0.5' at screen 0.10238,0.59596 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.82667 to screen 0.10905,0.82667 nohead lw 0.5 lc rgb '#505050'
+set label '1.0' at screen 0.10238,0.82667 right font ',7' tc rgb '#202020' noenhanced front
 set label 't' at screen 0.03571,0.57716 right font ',8' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.11905; set rmargin at screen 0.88095
 set bmargin at screen 0.12008; set tmargin at screen 0.97332

@@ -31,7 +31,7 @@ set logscale x
 set xrange [5.833333333333334:361.2]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [1.485:723.6768000000001]
+set yrange [1.235:599.088]
 set ytics ('10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3

@@ -31,7 +31,7 @@ set logscale x
 set xrange [10:356.4]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [2.2866666666666666:1541.8848]
+set yrange [1.7533333333333334:1774.3103999999998]
 set ytics ('10' 10, '100' 100, '1,000' 1000)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
