@@ -147,14 +147,15 @@ class Tracker {
     const Correction correction = corrector.correct(here, at_here_.matrix(), state_.step, next_.v);
     is_defined_ = correction.end != Correction::End::undefined;
     if (correction.end != Correction::End::done) return false;
+    const bool is_adaptive = options_->step_control == StepControl::adaptive;
+    if (is_adaptive && correction.first > kLargestDeviation * state_.step) return false;
     is_defined_ = at_next_.find(next_, here.tangent);
     if (!is_defined_) return false;
-    if (options_->step_control == StepControl::fixed) return true;
+    if (!is_adaptive) return true;
     if (!is_precise && !(at_next_.polish(next_) <= options_->corrector.tolerance * (1 + largest(next_.v))))
       return false;
     const double cosine = dot(next_.tangent, here.tangent);
-    if (correction.first > kLargestDeviation * state_.step || !(cosine > std::cos(options_->largest_turn)))
-      return false;
+    if (!(cosine > std::cos(options_->largest_turn))) return false;
     if (!is_smooth()) return false;
     if (crosses_twice(1, here, next_)) return false;
     if (turns_near(1, here, next_) && !ends_at_turning_point()) return false;
