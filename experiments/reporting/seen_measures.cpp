@@ -120,7 +120,7 @@ class MeasureBuilder {
 
   /// From a point along two directions, the first towards the middle of the room, at most a right angle
   /// apart.
-  Arms arms_along(const Numbers& at, Numbers first, Numbers second) const {
+  Arms arms_along(const Numbers& at, const Numbers& first, const Numbers& second) const {
     constexpr double kLength = 0.25;  // of the room
     const double length = kLength * room_.size();
     const double way = dot(difference(room_.centre(), at), first) < 0 ? -length : length;

@@ -227,7 +227,7 @@ SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSetti
   return outcome;
 }
 
-std::vector<OptionSpec> branch_options(std::vector<OptionSpec> own) {
+std::vector<OptionSpec> branch_options(const std::vector<OptionSpec>& own) {
   std::vector<OptionSpec> specs = {plan_option("least")};
   const auto add = [&](const std::vector<OptionSpec>& more) {
     specs.insert(specs.end(), more.begin(), more.end());
@@ -238,7 +238,7 @@ std::vector<OptionSpec> branch_options(std::vector<OptionSpec> own) {
   return specs;
 }
 
-std::vector<OptionSpec> shared_options(const std::string& plan, std::vector<OptionSpec> own) {
+std::vector<OptionSpec> shared_options(const std::string& plan, const std::vector<OptionSpec>& own) {
   std::vector<OptionSpec> specs = {plan_option(plan)};
   const auto add = [&](const std::vector<OptionSpec>& more) {
     specs.insert(specs.end(), more.begin(), more.end());

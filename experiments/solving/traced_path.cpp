@@ -79,9 +79,7 @@ Figure TracedPath::figure(const TracedPoint& point) const {
 
 TracedPath traced_path(const PathTrace& trace, const Path& path, const FigureCurve& curve,
                        const GeometricEquations& equations, std::size_t most) {
-  const auto traced = [&](const std::vector<double>& v) {
-    return TracedPoint{curve.unknowns(v), v.back()};
-  };
+  const auto traced = [&](const std::vector<double>& v) { return TracedPoint{curve.unknowns(v), v.back()}; };
   TracedPath result{equations.unknowns, coordinates_of(equations), {}, 0, {}, {}};
   const PathTrace::Samples samples = trace.samples(most);
   for (const std::vector<double>& v : samples.points) result.points.push_back(traced(v));

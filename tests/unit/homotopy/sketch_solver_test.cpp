@@ -37,7 +37,8 @@ TEST(SketchSolver, TellsFiguresOnAContinuumFromIsolatedOnes) {
   }
   EXPECT_GT(flat, 0U);
   EXPECT_GT(found.solutions.size(), flat);
-  const PathExplanation explanation = explain(found.path, hexahedron.system, hexahedron.equations, homotopy.curve(), homotopy.extent());
+  const PathExplanation explanation =
+      explain(found.path, hexahedron.system, hexahedron.equations, homotopy.curve(), homotopy.extent());
   ASSERT_EQ(explanation.branch_points.size(), found.path.branch_points.size());
   ASSERT_FALSE(explanation.branch_points.empty());
   for (const std::string& text : explanation.branch_points) EXPECT_EQ(text, "all points are coplanar");
@@ -54,7 +55,8 @@ TEST(SketchSolver, ExplainsBranchPointsOfKeptBooleans) {
         pentahedron.homotopy(pentahedron.random_sketch(seed), {.booleans = Booleans::kept});
     Path path = follow_path(homotopy.curve(), homotopy.start(), {});
     EXPECT_EQ(path.end, PathEnd::cycle) << seed;
-    const PathExplanation explanation = explain(path, pentahedron.system, pentahedron.equations, homotopy.curve(), homotopy.extent());
+    const PathExplanation explanation =
+        explain(path, pentahedron.system, pentahedron.equations, homotopy.curve(), homotopy.extent());
     for (const std::string& text : explanation.branch_points) {
       if (text.find("coplanar") != std::string::npos) ++explained;
     }
@@ -70,7 +72,8 @@ TEST(SketchSolver, NamesTheThreeKindsOfPaths) {
     SketchHomotopy homotopy = figured.homotopy(*sketch_of(figured.system),
                                                {.interpolation = Interpolation::compact_support}, valuation);
     SketchSolutions found = solved(figured, homotopy, valuation);
-    const PathExplanation explanation = explain(found.path, figured.system, figured.equations, homotopy.curve(), homotopy.extent());
+    const PathExplanation explanation =
+        explain(found.path, figured.system, figured.equations, homotopy.curve(), homotopy.extent());
     EXPECT_EQ(found.path.end, end) << valuation;
     EXPECT_EQ(found.path.other_end, end) << valuation;
     EXPECT_NE(explanation.end.find(text), std::string::npos) << explanation.end;
