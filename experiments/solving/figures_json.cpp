@@ -55,6 +55,7 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
       const SketchSolution& solution = followed.found.solutions[k];
       if (solution.root) continue;
       Json& entry = result["solutions"][followed.numbers[k]];
+      if (entry["certificate"]["claim"] != "none") continue;  // certified on another path
       entry["jacobian_rank"] = solution.rank;
       entry["on_continuum"] = solution.is_on_continuum;
     }

@@ -41,8 +41,7 @@ struct FollowedPath {
 
 /// What is told of a construction plan.
 struct PlanReport {
-  std::vector<std::string>
-      lines;  ///< as a text: instructions, guides, removed constraints, blocks that may escape
+  std::vector<std::string> lines;  ///< as a text: steps, guides, removed constraints
   std::size_t guides = 0, choices = 0, removed = 0;
   std::optional<std::size_t> sketches{};          ///< that its branches gave
   std::optional<std::uint64_t> branch_changes{};  ///< on the path

@@ -16,7 +16,7 @@ std::string text_of(const Branch& branch) {
 
 PlanEvaluator::PlanEvaluator(const PlanProgram& program) : program_(&program), run_(program) {}
 
-bool PlanEvaluator::set(const PlanValues& values) {
+void PlanEvaluator::set(const PlanValues& values) {
   std::vector<double>& x = run_.variables();
   std::ranges::fill(x, 0.0);
   double size = 0;
@@ -30,7 +30,6 @@ bool PlanEvaluator::set(const PlanValues& values) {
   for (const double value : values.guides) size = std::max(size, std::abs(value));
   constexpr double kRounding = 1e-14;
   rounding_ = kRounding * size * size;
-  return true;
 }
 
 PlanFailure PlanEvaluator::prepare(std::size_t step) {

@@ -53,7 +53,7 @@ class PlanEvaluator {
   Branch branch(const PlanValues& values) const;
 
  private:
-  bool set(const PlanValues& values);
+  void set(const PlanValues& values);
   PlanFailure prepare(std::size_t step);
   void descend(std::size_t step, bool up_to_reflection, bool is_flat, Branch& branch,
                const std::function<void(const Branch&, const Figure&)>& use);

@@ -64,13 +64,11 @@ class Explorer {
     add({sketch, std::nullopt, {}});
   }
 
-  Exploration run(const std::stop_token& stop,
-                  const std::function<void(const Exploration&, std::size_t)>& observer) {
+  Exploration run(const std::stop_token& stop) {
     while (!sketches_.empty() && result_.paths.size() < options_->maximum_paths && !stop.stop_requested()) {
       const NewSketch next = std::move(sketches_.front());
       sketches_.pop_front();
       follow(next, stop);
-      if (observer) observer(result_, sketches_.size());
     }
     result_.is_finished = sketches_.empty() && !stop.stop_requested();
     return std::move(result_);
@@ -145,9 +143,8 @@ class Explorer {
 
 Exploration explore(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
                     const std::vector<double>& values, const Figure& sketch, const SystemFunctions& wanted,
-                    const ExplorationOptions& options, const std::stop_token& stop,
-                    const std::function<void(const Exploration&, std::size_t)>& observer) {
-  return Explorer(system, frame, equations, values, wanted, options, sketch).run(stop, observer);
+                    const ExplorationOptions& options, const std::stop_token& stop) {
+  return Explorer(system, frame, equations, values, wanted, options, sketch).run(stop);
 }
 
 }  // namespace gcslab

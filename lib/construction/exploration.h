@@ -5,7 +5,6 @@
 // is found (Imbach 2013, section 4.2.3). What it finds is often everything; nothing says so.
 
 #include <deque>
-#include <functional>
 
 #include "construction/branch.h"
 #include "homotopy/path_explanation.h"
@@ -51,11 +50,10 @@ struct Exploration {
   bool is_finished = false;  ///< no sketch is left
 };
 
-/// `wanted` are the equations at t = 1, `values` the parameters there. Called after each path: `observer`.
+/// `wanted` are the equations at t = 1, `values` the parameters there.
 /// Throws NotApplicable as make_plan and SketchHomotopy for the user's sketch.
 Exploration explore(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
                     const std::vector<double>& values, const Figure& sketch, const SystemFunctions& wanted,
-                    const ExplorationOptions& options, const std::stop_token& stop = {},
-                    const std::function<void(const Exploration&, std::size_t left)>& observer = {});
+                    const ExplorationOptions& options, const std::stop_token& stop = {});
 
 }  // namespace gcslab

@@ -215,12 +215,6 @@ Frame Plan::frame(Universe universe) const {
   return result;
 }
 
-std::vector<std::size_t> Plan::order() const {
-  std::vector<std::size_t> result;
-  for (const PlanStep& step : steps) result.push_back(step.point);
-  return result;
-}
-
 std::string text_of(const Plan& plan, const ConstraintSystem& system) {
   std::string text;
   for (const PlanStep& step : plan.steps) {

@@ -48,11 +48,10 @@ struct Plan {
   std::vector<std::size_t> removed;  ///< constraints
 
   std::size_t choices() const;
-  std::vector<std::size_t> order() const;  ///< of the points
-  Frame frame(Universe universe) const;    ///< the first points
+  Frame frame(Universe universe) const;  ///< the first points
 };
 
-/// "P3 = sphere(P0, h3) * sphere(P1, k0) * plane(coplanar P0 P1 P2 P3)", one line a step, then the guides and
+/// "P3 = sphere(P0, h3) * sphere(P1, k0) * locus(coplanar P0 P1 P2 P3)", one line a step, then the guides and
 /// what is removed.
 std::string text_of(const Plan& plan, const ConstraintSystem& system);
 

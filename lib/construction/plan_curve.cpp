@@ -92,12 +92,6 @@ bool PlanCurve::jacobian(std::span<const double> v, std::span<double> result, Ma
   return true;
 }
 
-std::vector<double> PlanCurve::heights(std::span<const double> v) const {
-  std::vector<double> result;
-  for (std::size_t k = motion_->guides(); k < m_; ++k) result.push_back(motion_->unit() * v[k]);
-  return result;
-}
-
 std::vector<double> PlanCurve::unknowns(std::span<const double> v) const {
   std::vector<double> unused(m_);
   const auto seed = [](double value, std::size_t, double) { return value; };

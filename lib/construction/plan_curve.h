@@ -32,8 +32,6 @@ class PlanCurve final : public FigureCurve {
 
   /// The point of the values that it was made with, with t = 0.
   const std::vector<double>& start() const { return start_; }
-  /// The heights at a point of the curve.
-  std::vector<double> heights(std::span<const double> v) const;
 
  private:
   /// So many derivatives at a time.

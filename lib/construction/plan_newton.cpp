@@ -8,8 +8,7 @@
 namespace gcslab {
 namespace {
 
-/// All branches, but that the frame's last point in space is on its positive side: what differs in that is
-/// the same up to a rotation.
+/// All branches, mirror images included.
 std::vector<Branch> branches_of(const BranchMap& map) {
   constexpr std::size_t kMost = 20;
   if (map.choices() > kMost)
