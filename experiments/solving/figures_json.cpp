@@ -66,6 +66,8 @@ void add_plan(Json& result, const PlanReport& plan) {
   Json& entry = result["plan"];
   entry = {
       {"text", plan.lines}, {"guides", plan.guides}, {"choices", plan.choices}, {"removed", plan.removed}};
+  if (plan.branches) entry["branches"] = *plan.branches;
+  if (plan.empty_branches) entry["empty_branches"] = *plan.empty_branches;
   if (plan.sketches) entry["sketches"] = *plan.sketches;
   if (plan.branch_changes) entry["branch_changes"] = *plan.branch_changes;
 }

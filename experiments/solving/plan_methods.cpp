@@ -11,6 +11,7 @@
 #include "construction/plan_newton.h"
 #include "construction/plan_simplices.h"
 #include "experiments/solving/path_settings.h"
+#include "experiments/solving/plan_report.h"
 #include "experiments/solving/sketch_source.h"
 #include "geometry/degrees_of_freedom.h"
 #include "geometry/sketch.h"
@@ -32,20 +33,6 @@ PlanKind plan_kind(const Options& options) {
   if (name == "forward") return PlanKind::forward;
   if (name == "gao") return PlanKind::gao;
   return name == "least" ? PlanKind::least : PlanKind::henneberg;
-}
-
-std::vector<std::string> lines_of(const std::string& text, char end) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t next = std::min(text.find(end, at), text.size());
-    if (next > at) lines.push_back(text.substr(at, next - at));
-    at = next + 1;
-  }
-  return lines;
-}
-
-PlanReport report_of(const Plan& plan, const ConstraintSystem& system) {
-  return {lines_of(text_of(plan, system), '\n'), plan.guides.size(), plan.choices(), plan.removed.size()};
 }
 
 /// What the methods are given, checked.

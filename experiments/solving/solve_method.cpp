@@ -34,6 +34,7 @@ std::vector<SolveMethod> all_methods() {
   methods.push_back(angle_sum_method());
   for (SolveMethod& method : sketch_path_methods()) methods.push_back(std::move(method));
   for (SolveMethod& method : plan_methods()) methods.push_back(std::move(method));
+  methods.push_back(plan_evaluation_method());
   for (SolveMethod& search : local_search_methods()) methods.push_back(std::move(search));
   for (SolveMethod& peer : peer_methods()) methods.push_back(std::move(peer));
   for (SolveMethod& method : methods) method.options.push_back(valuation_option());

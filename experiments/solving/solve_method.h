@@ -38,6 +38,7 @@ SolveMethod univariate_method();
 SolveMethod angle_sum_method();
 std::vector<SolveMethod> sketch_path_methods();
 std::vector<SolveMethod> plan_methods();
+SolveMethod plan_evaluation_method();
 std::vector<SolveMethod> local_search_methods();
 std::vector<SolveMethod> peer_methods();
 

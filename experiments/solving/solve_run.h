@@ -43,6 +43,8 @@ struct FollowedPath {
 struct PlanReport {
   std::vector<std::string> lines;  ///< as a text: steps, guides, removed constraints
   std::size_t guides = 0, choices = 0, removed = 0;
+  std::optional<std::uint64_t> branches{};        ///< that may have a figure, of an evaluation on all
+  std::optional<std::uint64_t> empty_branches{};  ///< that were proved to have none
   std::optional<std::size_t> sketches{};          ///< that its branches gave
   std::optional<std::uint64_t> branch_changes{};  ///< on the path
 };

@@ -245,4 +245,12 @@ Plan make_plan(const ConstraintSystem& system, PlanKind kind, const Figure& figu
   return PlanMaker(system, order, only_distances, only_distances ? general_figure(system) : figure).plan();
 }
 
+std::optional<Plan> plan_without_guides(const ConstraintSystem& system, const Frame& frame) {
+  check_applies(system);
+  const PlacingConstraints constraints(system, FigureVariables(system), false);
+  const auto order = order_without_guides(constraints, dimension(system.universe), frame);
+  if (!order) return std::nullopt;
+  return PlanMaker(system, *order, false, general_figure(system)).plan();
+}
+
 }  // namespace gcslab

@@ -75,4 +75,9 @@ enum class PlanKind {
 /// points: 2^n sets are looked at.
 Plan make_plan(const ConstraintSystem& system, PlanKind kind, const Figure& figure);
 
+/// A plan without guides, whose figures on all branches are all figures on which the constraints that it uses
+/// hold (the method of loci, LIM): in `frame` where that does, else in another; nothing where there is none.
+/// Throws NotApplicable as make_plan.
+std::optional<Plan> plan_without_guides(const ConstraintSystem& system, const Frame& frame);
+
 }  // namespace gcslab

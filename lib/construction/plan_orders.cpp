@@ -103,6 +103,21 @@ std::vector<std::size_t> forward_order(const PlacingConstraints& constraints, st
   return best;
 }
 
+std::optional<std::vector<std::size_t>> order_without_guides(const PlacingConstraints& constraints,
+                                                             std::size_t dimension,
+                                                             const std::vector<std::size_t>& first) {
+  std::optional<std::vector<std::size_t>> found;
+  const auto try_frame = [&](const std::vector<std::size_t>& frame) {
+    if (found || guides_of(constraints, frame) > 0) return;
+    std::vector<std::size_t> order = forward_from(constraints, frame);
+    if (guides_of(constraints, order) == 0) found = std::move(order);
+  };
+  try_frame(first);
+  std::vector<std::size_t> frame;
+  if (!found) each_frame(constraints.points(), dimension, frame, try_frame);
+  return found;
+}
+
 std::vector<std::size_t> gao_order(const PlacingConstraints& constraints, std::size_t dimension) {
   std::vector<bool> is_left(constraints.points(), true);
   std::vector<std::size_t> reversed;

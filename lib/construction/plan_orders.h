@@ -4,6 +4,7 @@
 // freedom as there are points before it, at most the dimension, and each constraint between it and earlier
 // points takes away what it restricts.
 
+#include <optional>
 #include <vector>
 
 #include "construction/locus.h"
@@ -42,6 +43,12 @@ std::vector<std::size_t> gao_order(const PlacingConstraints& constraints, std::s
 /// One with the least number of guides, by dynamic programming over sets of points. Throws NotApplicable for
 /// more than 22 points.
 std::vector<std::size_t> least_order(const PlacingConstraints& constraints, std::size_t dimension);
+/// One without guides, from `first` where there is one, else from another frame; nothing where there is none.
+/// A point that earlier ones place stays so when more come before it: to place points while some can be
+/// placed loses nothing.
+std::optional<std::vector<std::size_t>> order_without_guides(const PlacingConstraints& constraints,
+                                                             std::size_t dimension,
+                                                             const std::vector<std::size_t>& first);
 /// The guides that an order needs.
 int guides_of(const PlacingConstraints& constraints, const std::vector<std::size_t>& order);
 

@@ -104,7 +104,7 @@ class FormulaMaker {
 
   StepFormulas step(const PlanStep& step, std::size_t freedom) {
     StepFormulas result{StepForm::origin, step.point, freedom, step.point * program_->dimension(),
-                        step.choice,      {}};
+                        step.choice,      {},         {}};
     if (freedom == 0) return result;
     std::vector<Locus> loci;
     for (const LocusSource& source : step.loci) loci.push_back(locus(source, step.point));
@@ -115,6 +115,8 @@ class FormulaMaker {
       for (const Locus& plane : loci) planes.push_back(plane_at(plane, step.point, origin));
       result.form = StepForm::one_place;
       result.formulas = formulas_over(meeting_point(planes));
+      result.loci = formulas_over(outputs_of(planes));
+      result.planes = planes.size();
       return result;
     }
     std::iter_swap(loci.begin(), sphere);
@@ -132,6 +134,11 @@ class FormulaMaker {
     result.form = freedom == 1 ? StepForm::on_axis : StepForm::two_places;
     if (freedom == 1) outputs = {outputs.back()};
     result.formulas = formulas_over(outputs);
+    outputs = outputs_of(planes);
+    outputs.insert(outputs.end(), centre.begin(), centre.end());
+    outputs.push_back(-at_centre);
+    result.loci = formulas_over(outputs);
+    result.planes = planes.size();
     return result;
   }
 
@@ -155,6 +162,15 @@ class FormulaMaker {
   }
 
  private:
+  static std::vector<Expression> outputs_of(const std::vector<Plane>& planes) {
+    std::vector<Expression> outputs;
+    for (const Plane& plane : planes) {
+      outputs.insert(outputs.end(), plane.normal.begin(), plane.normal.end());
+      outputs.push_back(plane.offset);
+    }
+    return outputs;
+  }
+
   bool has_offset(std::size_t constraint) const {
     return system_->constraints[constraint].kind->restriction(system_->universe) == 1;
   }

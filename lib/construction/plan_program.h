@@ -36,6 +36,10 @@ struct StepFormulas {
   std::size_t first;       ///< of its coordinates among the variables
   std::optional<std::size_t> choice;
   Formulas formulas;
+  /// The loci themselves, of steps that compute something: outputs: n and o of each plane, then, where
+  /// spheres take part, C and the square of the radius of the sphere around C.
+  Formulas loci;
+  std::size_t planes = 0;
 };
 
 /// The variables: all coordinates of the points in order, the parameters of the constraints, the guides, and
