@@ -1,6 +1,9 @@
 // The method `plan_evaluation`: constraint systems that a construction plan solves outright
 // (construction/plan_solver.h).
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "certification/root_certifier.h"
 #include "construction/plan_solver.h"
@@ -11,8 +14,26 @@
 namespace gcslab {
 namespace {
 
+void write_proof(ProofLog& proof, const PlanSolutions& found, const Box& search_box) {
+  if (found.blocks.empty())
+    throw NotApplicable(
+        "no proof file is written where the plan starts from other points than the frame of the equations, "
+        "or "
+        "these are no polynomials in the coordinates; adaptive writes one");
+  std::string theorem = "loci_intersection";
+  for (const LociBlock& block : found.blocks) {
+    theorem += fmt::format(" {} {} {}", block.unknowns.size(), fmt::join(block.unknowns, " "),
+                           fmt::join(block.equations, " "));
+  }
+  proof.begin(search_box);
+  proof.theorem(theorem);
+  proof.finish();
+}
+
 SolveOutcome evaluate_plan(const SystemFunctions& functions, const SolveSettings& settings,
-                           const std::optional<SearchStart>&, const std::stop_token& stop, SearchObserver*) {
+                           const std::optional<SearchStart>& start, const std::stop_token& stop,
+                           SearchObserver*) {
+  if (start) throw NotApplicable("plan_evaluation does not search, so that nothing is left to go on from");
   if (settings.geometry == nullptr) throw NotApplicable("only constraint systems have construction plans");
   const GeometricSource& source = *settings.geometry;
   const Options& options = settings.options;
@@ -24,6 +45,7 @@ SolveOutcome evaluate_plan(const SystemFunctions& functions, const SolveSettings
        .certifier = options.word("certifier"),
        .maximum_branches = static_cast<std::uint64_t>(options.integer("maximum_branches"))},
       stop);
+  if (settings.proof != nullptr) write_proof(*settings.proof, found, functions.system().box);
   SolveOutcome outcome;
   for (const CertifiedRoot& root : found.roots) outcome.search.solutions.push_back(Solution{root});
   outcome.search.roots = found.roots;
@@ -52,10 +74,7 @@ SolveMethod plan_evaluation_method() {
                       53, 100'000),
        integer_option("maximum_branches", "work budget", "branches with a figure", 100'000, 1, 1'000'000'000),
        certifier_option()},
-      evaluate_plan,
-      Promise::rigorous,
-      {},
-      "evaluates a construction plan"};
+      evaluate_plan};
 }
 
 }  // namespace gcslab

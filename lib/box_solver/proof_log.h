@@ -48,6 +48,8 @@
 //   theorem NAME                  in place of starts and nodes: by a theorem about this kind of system the
 //                                 search box has no solution beside the listed ones. circle_packing:
 //                                 packing/packing_problem.h
+//   theorem loci_intersection N V ... K ...   likewise: blocks of N variables and as many equations each,
+//                                 of which the variables of a block are found where planes and spheres meet
 //   end
 //   hash XXH3                      of all lines before
 // Every line says what holds because of it; proof_step.h says why.

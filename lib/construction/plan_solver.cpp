@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "certification/root_certifier.h"
+#include "polynomial/recognise.h"
 
 namespace gcslab {
 namespace {
@@ -87,6 +88,7 @@ class Solver {
         program_(system, plan_for(system, frame)) {
     result_.plan = program_.plan();
     is_own_frame_ = program_.plan().frame(system.universe) == frame;
+    if (is_own_frame_) make_blocks();
   }
 
   PlanSolutions run() {
@@ -113,6 +115,29 @@ class Solver {
     throw NotApplicable(
         "no construction plan places every point where loci of the constraints meet; plan_path takes plans "
         "that need guide parameters");
+  }
+
+  void make_blocks() {
+    std::vector<LociBlock> blocks;
+    for (const PlanStep& step : program_.plan().steps) {
+      LociBlock block;
+      for (const Expression& x : equations_->objects[step.point]) {
+        if (x.operation() == Operation::variable)
+          block.unknowns.push_back(static_cast<std::size_t>(x.variable()));
+      }
+      for (std::size_t k = 0; k < equations_->equations.size(); ++k) {
+        const auto is_of = [&](const LocusSource& locus) {
+          return locus.constraint && locus.constraint == equations_->constraint_of_equation[k];
+        };
+        if (std::ranges::none_of(step.loci, is_of)) continue;
+        const auto variables = static_cast<int>(equations_->unknowns.size() + equations_->parameters.size());
+        if (!recognise_polynomial(equations_->equations[k], variables).polynomial) return;
+        block.equations.push_back(k);
+      }
+      if (block.unknowns.size() != block.equations.size()) return;
+      if (!block.unknowns.empty()) blocks.push_back(std::move(block));
+    }
+    if (equations_->auxiliaries == 0) result_.blocks = std::move(blocks);
   }
 
   /// Whether no figure is in doubt.

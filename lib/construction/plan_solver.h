@@ -28,8 +28,16 @@ struct UndecidedFigures {
   std::string reason;
 };
 
+/// Unknowns and as many equations, which are planes and spheres for them once earlier blocks are known.
+struct LociBlock {
+  std::vector<std::size_t> unknowns, equations;
+};
+
 struct PlanSolutions {
   Plan plan;
+  /// The plan as blocks of the equations, for a proof that nothing is missing; none where the plan starts in
+  /// another frame than the equations have, or one of these is no polynomial in unknowns and parameters.
+  std::vector<LociBlock> blocks;
   std::vector<CertifiedRoot> roots;  ///< of solutions, each once
   std::vector<UndecidedFigures> undecided;
   bool is_finished = true;  ///< otherwise figures of the whole box may be missing

@@ -29,12 +29,20 @@ void add(PolynomialTerms& terms, const std::vector<int>& exponents, const Ration
 
 class Expander {
  public:
-  explicit Expander(std::size_t variables) : variables_(variables) {}
+  /// `constants` are numbers of nodes, which get the variables after the others.
+  explicit Expander(std::size_t variables, const std::vector<std::uint32_t>& constants = {})
+      : variables_(variables + constants.size()) {
+    for (const std::uint32_t node : constants) {
+      std::vector<int> exponents(variables_, 0);
+      exponents[variables++] = 1;
+      done_.emplace(node, PolynomialTerms{{exponents, 1}});
+    }
+  }
 
   PolynomialTerms run(Expression root) {
     const std::vector<bool> reached = reachable_from({&root, 1});
     for (std::uint32_t i = 0; i < reached.size(); ++i) {
-      if (!reached[i]) continue;
+      if (!reached[i] || done_.contains(i)) continue;
       PolynomialTerms terms = terms_of(root.graph().node(i));
       check_size(terms);
       done_.emplace(i, std::move(terms));
@@ -127,7 +135,45 @@ class Expander {
   std::map<std::uint32_t, PolynomialTerms> done_;
 };
 
+/// What is irrational and has no variables.
+std::vector<std::uint32_t> constants_in(Expression root) {
+  std::vector<std::uint32_t> result;
+  const std::vector<bool> reached = reachable_from({&root, 1});
+  std::vector<bool> is_fixed(reached.size(), false);
+  for (std::uint32_t i = 0; i < reached.size(); ++i) {
+    if (!reached[i]) continue;
+    const Expression e = root.graph().node(i);
+    is_fixed[i] = e.operation() != Operation::variable;
+    for (int k = 0; k < info(e.operation()).operands; ++k) is_fixed[i] = is_fixed[i] && is_fixed[e.operand(k).index()];
+    switch (e.operation()) {
+      case Operation::constant:
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::negate:
+      case Operation::multiply:
+      case Operation::sqr:
+      case Operation::divide:
+      case Operation::power_integer:
+        break;
+      default:
+        if (is_fixed[i]) result.push_back(i);
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+std::optional<TermsWithConstants> terms_with_constants(Expression expression, std::size_t variables) {
+  const std::vector<std::uint32_t> nodes = constants_in(expression);
+  try {
+    TermsWithConstants result{Expander(variables, nodes).run(expression), {}};
+    for (const std::uint32_t node : nodes) result.constants.push_back(expression.graph().node(node));
+    return result;
+  } catch (const NotExpanded&) {
+    return std::nullopt;
+  }
+}
 
 std::optional<PolynomialTerms> polynomial_terms(Expression expression, std::size_t variables) {
   try {

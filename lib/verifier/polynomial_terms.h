@@ -19,6 +19,14 @@ using PolynomialTerms = std::map<std::vector<int>, Rational>;
 /// terms, degree 200, coefficients of 20,000 bits, 200,000 products of terms on the way.
 std::optional<PolynomialTerms> polynomial_terms(Expression expression, std::size_t variables);
 
+/// The same for a polynomial with irrational coefficients: its constants, expressions without variables, have
+/// the exponents after those of the variables.
+struct TermsWithConstants {
+  PolynomialTerms terms;
+  std::vector<Expression> constants;
+};
+std::optional<TermsWithConstants> terms_with_constants(Expression expression, std::size_t variables);
+
 /// The largest sum of exponents; 0 without terms.
 int total_degree(const PolynomialTerms& terms);
 

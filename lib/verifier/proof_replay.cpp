@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verifier/box_relations.h"
+#include "verifier/loci_theorem.h"
 #include "verifier/packing_theorem.h"
 
 namespace gcslab::verifier {
@@ -126,9 +127,20 @@ bool ProofReplay::satisfies_inequalities(const RangeBox& root) {
   });
 }
 
-/// At most one solution by the theorem, and one that is listed: it is the only one.
 void ProofReplay::read_theorem() {
-  if (reader_->word() != "circle_packing") reader_->refuse("expected 'circle_packing'");
+  const std::string name(reader_->word());
+  if (name == "circle_packing") {
+    read_packing_theorem();
+  } else if (name == "loci_intersection") {
+    read_loci_theorem();
+  } else {
+    reader_->refuse("expected 'circle_packing' or 'loci_intersection'");
+  }
+  ++summary_.counts["theorems"];
+}
+
+/// At most one solution by the theorem, and one that is listed: it is the only one.
+void ProofReplay::read_packing_theorem() {
   reader_->end_line();
   if (const auto gap = packing_theorem_gap(*system_, *search_box_))
     reader_->refuse("does not apply: " + *gap);
@@ -136,7 +148,28 @@ void ProofReplay::read_theorem() {
     return is_within(listed.root.enclosure, *search_box_) && satisfies_inequalities(listed.root.enclosure);
   });
   if (!theorem_covers_) reader_->refuse("no listed root is proved to be a solution in the search box");
-  ++summary_.counts["theorems"];
+}
+
+/// Every figure of the blocks lies in the uniqueness box of a listed root or in an undecided box.
+void ProofReplay::read_loci_theorem() {
+  std::vector<LociBlock> blocks;
+  while (!reader_->at_end_of_line()) {
+    LociBlock& block = blocks.emplace_back();
+    const std::size_t size = reader_->index(system_->variables() + 1, "block");
+    for (std::size_t i = 0; i < size; ++i)
+      block.variables.push_back(reader_->index(system_->variables(), "variable"));
+    for (std::size_t i = 0; i < size; ++i)
+      block.equations.push_back(reader_->index(system_->equations().size(), "equation"));
+  }
+  reader_->end_line();
+  const auto gap = loci_theorem_gap(*system_, *search_box_, blocks, [&](const RangeBox& figure) {
+    const auto holds = [&](const Box& box) { return is_within(figure, box); };
+    return std::ranges::any_of(listed_->roots,
+                               [&](const ListedRoot& root) { return holds(root.uniqueness_box); }) ||
+           std::ranges::any_of(listed_->undecided, holds);
+  });
+  if (gap) reader_->refuse("does not show that nothing is missing: " + *gap);
+  theorem_covers_ = true;
 }
 
 /// Whether a known root needs not be looked for any more: it is listed, or no solution in the search box.

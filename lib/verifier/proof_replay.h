@@ -76,6 +76,8 @@ class ProofReplay {
   void read_root();
   void read_node();
   void read_theorem();
+  void read_packing_theorem();
+  void read_loci_theorem();
   void read_hash();
 
   bool read_step(std::string_view word);
