@@ -115,12 +115,24 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
   }
 }
 
+/// What a plan says before a path is followed.
+void print_escapes(const Json& plan) {
+  if (!plan.contains("escapes")) return;
+  if (plan["escapes"].empty()) fmt::print("  plan: no point can go to infinity\n");
+  for (const Json& escape : plan["escapes"])
+    fmt::print("  plan: can go to infinity: {}\n", escape["configuration"].get<std::string>());
+}
+
 void print_paths(const Json& paths) {
   for (const Json& path : paths) {
     const std::string end = path["type"], other_end = path["other_end"];
     fmt::print("  path: {}{}, length {:.4g}, {} steps, crosses t = 1 {} times\n", end,
                end == other_end ? "" : " and " + other_end, path["length"].get<double>(),
                path["steps"].get<std::uint64_t>(), path["crossings"].size());
+    for (const char* key : {"escape", "other_escape"}) {
+      if (path.contains(key) && (std::string(key) == "escape" || path[key] != path.value("escape", "")))
+        fmt::print("    ends with {}\n", path[key].get<std::string>());
+    }
   }
 }
 
@@ -138,6 +150,7 @@ void print_summary(const Settings& settings, const SystemFunctions& functions, c
     const std::size_t classes = result["classes"].size();
     fmt::print("  {} figure{} up to isometry\n", classes, classes == 1 ? "" : "s");
   }
+  if (result.contains("plan")) print_escapes(result["plan"]);
   if (result.contains("paths")) print_paths(result["paths"]);
   if (solutions <= kListed) print_solutions(functions, result);
   if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);

@@ -44,6 +44,8 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
                                {"critical", std::move(critical)},
                                {"configuration", followed.explanation.end},
                                {"other_configuration", followed.explanation.other_end}});
+    if (!followed.escape.empty()) result["paths"].back()["escape"] = followed.escape;
+    if (!followed.other_escape.empty()) result["paths"].back()["other_escape"] = followed.other_escape;
     if (!followed.origin.empty()) result["paths"].back()["sketch"] = followed.origin;
     if (path.tubes > 0) {
       Json& entry = result["paths"].back();
@@ -70,6 +72,12 @@ void add_plan(Json& result, const PlanReport& plan) {
   if (plan.empty_branches) entry["empty_branches"] = *plan.empty_branches;
   if (plan.sketches) entry["sketches"] = *plan.sketches;
   if (plan.branch_changes) entry["branch_changes"] = *plan.branch_changes;
+  if (!plan.escapes) return;
+  entry["escapes"] = Json::array();
+  for (const PlanReport::Escape& escape : *plan.escapes) {
+    entry["escapes"].push_back(
+        {{"objects", {escape.object}}, {"guides", escape.guides}, {"configuration", escape.configuration}});
+  }
 }
 
 }  // namespace gcslab

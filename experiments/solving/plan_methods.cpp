@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "certification/root_certifier.h"
 #include "construction/exploration.h"
+#include "construction/plan_escapes.h"
 #include "construction/plan_homotopy.h"
 #include "construction/plan_newton.h"
 #include "construction/plan_simplices.h"
@@ -54,6 +55,21 @@ struct PlanSource {
   std::vector<double> wanted;
 };
 
+/// The configurations of the plan that the ends of a path at infinity meet.
+void note_escapes(FollowedPath& followed, const Plan& plan, const PlanSource& given, const FigureCurve& curve,
+                  double extent) {
+  constexpr double kFar = 1e2;  // as for where paths are stuck (homotopy/path_explanation.h)
+  const std::vector<PlanEscape> escapes = escapes_of(plan, given.system);
+  const auto met = [&](PathEnd end, const std::vector<double>& last) -> std::string {
+    if (end != PathEnd::to_infinity || last.empty()) return "";
+    const Figure figure = figure_at(given.equations, curve.unknowns(last));
+    return escape_met(escapes, plan, given.system, figure, kFar * extent);
+  };
+  const Path& path = followed.found.path;
+  followed.escape = met(path.end, path.last);
+  followed.other_escape = met(path.other_end, path.other_last);
+}
+
 SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSettings& settings,
                               const std::optional<SearchStart>&, const std::stop_token& stop,
                               SearchObserver*) {
@@ -73,8 +89,9 @@ SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSetti
   followed.trace = tracer.traced(followed.found.path, curve.start(), false);
   followed.explanation =
       explain(followed.found.path, given.system, given.equations, curve, sketched.extent());
+  note_escapes(followed, homotopy.program().plan(), given, curve, sketched.extent());
   SolveOutcome outcome = outcome_of(std::move(followed), false);
-  outcome.plan = report_of(homotopy.program().plan(), given.system);
+  outcome.plan = report_with_escapes(homotopy.program().plan(), given.system);
   return outcome;
 }
 
@@ -131,7 +148,7 @@ SolveOutcome follow_branches(const SystemFunctions& functions, const SolveSettin
   FollowedPath followed{solutions_of(std::move(path), curve, functions, options.word("certifier")), {}};
   followed.explanation.end = followed.explanation.other_end = found.failure;
   SolveOutcome outcome = outcome_of(std::move(followed), false);
-  outcome.plan = report_of(branched.homotopy.program().plan(), given.system);
+  outcome.plan = report_with_escapes(branched.homotopy.program().plan(), given.system);
   outcome.plan->branch_changes = found.changes.size();
   return outcome;
 }
@@ -204,12 +221,14 @@ SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSetti
   for (ExploredPath& path : found.paths) {
     *outcome.steps += path.found.path.steps;
     FollowedPath followed{std::move(path.found), std::move(path.explanation), std::move(path.numbers)};
+    followed.escape = std::move(path.escape);
+    followed.other_escape = std::move(path.other_escape);
     if (path.sketch.solution)
       followed.origin =
           fmt::format("class {}, branch {}", *path.sketch.solution, text_of(path.sketch.branch));
     if (path.refused.empty()) outcome.paths.push_back(std::move(followed));
   }
-  outcome.plan = report_of(found.plan, given.system);
+  outcome.plan = report_with_escapes(found.plan, given.system);
   outcome.plan->sketches = found.sketches;
   return outcome;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "construction/plan_escapes.h"
+
 namespace gcslab {
 
 std::vector<std::string> lines_of(const std::string& text, char end) {
@@ -16,6 +18,18 @@ std::vector<std::string> lines_of(const std::string& text, char end) {
 
 PlanReport report_of(const Plan& plan, const ConstraintSystem& system) {
   return {lines_of(text_of(plan, system), '\n'), plan.guides.size(), plan.choices(), plan.removed.size()};
+}
+
+PlanReport report_with_escapes(const Plan& plan, const ConstraintSystem& system) {
+  PlanReport report = report_of(plan, system);
+  report.escapes.emplace();
+  for (const PlanEscape& escape : escapes_of(plan, system)) {
+    PlanReport::Escape& told = report.escapes->emplace_back();
+    told.object = system.objects[escape.point].name;
+    for (const std::size_t guide : escape.guides) told.guides.push_back("k" + std::to_string(guide));
+    told.configuration = escape.configuration;
+  }
+  return report;
 }
 
 }  // namespace gcslab

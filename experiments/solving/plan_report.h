@@ -12,4 +12,7 @@ std::vector<std::string> lines_of(const std::string& text, char end);
 
 PlanReport report_of(const Plan& plan, const ConstraintSystem& system);
 
+/// With the points that can go to infinity on a path.
+PlanReport report_with_escapes(const Plan& plan, const ConstraintSystem& system);
+
 }  // namespace gcslab

@@ -35,8 +35,9 @@ struct FollowedPath {
   PathExplanation explanation;
   std::vector<std::size_t> numbers{};  ///< of its solutions among those of the outcome
   std::optional<TracedPath> trace{};
-  std::optional<double> step_s{};  ///< median time of its steps
-  std::string origin{};            ///< of the sketch, where it is not the user's: "class 2, branch +-+"
+  std::optional<double> step_s{};        ///< median time of its steps
+  std::string escape{}, other_escape{};  ///< configurations of a plan that ends at infinity meet
+  std::string origin{};                  ///< of the sketch, where it is not the user's: "class 2, branch +-+"
 };
 
 /// What is told of a construction plan.
@@ -47,6 +48,13 @@ struct PlanReport {
   std::optional<std::uint64_t> empty_branches{};  ///< that were proved to have none
   std::optional<std::size_t> sketches{};          ///< that its branches gave
   std::optional<std::uint64_t> branch_changes{};  ///< on the path
+  struct Escape {
+    std::string object;
+    std::vector<std::string> guides;
+    std::string configuration;
+  };
+  /// Points that can go to infinity, of methods whose paths can.
+  std::optional<std::vector<Escape>> escapes{};
 };
 
 struct SolveOutcome {

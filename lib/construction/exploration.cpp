@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "construction/plan_escapes.h"
 #include "geometry/numeric_vector.h"
 #include "geometry/sketch.h"
 
@@ -59,6 +60,7 @@ class Explorer {
         wanted_(&wanted),
         options_(&options),
         program_(system, make_plan(system, options.plan, sketch)),
+        escapes_(escapes_of(program_.plan(), system)),
         evaluator_(program_) {
     result_.plan = program_.plan();
     add({sketch, std::nullopt, {}});
@@ -94,6 +96,7 @@ class Explorer {
       path.found = solve_along_path(homotopy.curve(), homotopy.curve(), homotopy.start(), *wanted_, tracker,
                                     options_->certifier, stop);
       path.explanation = explain(path.found.path, *system_, *equations_, homotopy.curve(), homotopy.extent());
+      note_escapes(path, homotopy);
     } catch (const NotApplicable& refused) {
       if (!sketch.solution) throw;
       path.refused = refused.what();
@@ -111,6 +114,17 @@ class Explorer {
       result_.solutions.push_back(solution);
       if (solution.root) make_sketches(figure, number);
     }
+  }
+
+  void note_escapes(ExploredPath& path, const SketchHomotopy& homotopy) const {
+    constexpr double kFar = 1e2;
+    const auto met = [&](PathEnd end, const std::vector<double>& last) -> std::string {
+      if (end != PathEnd::to_infinity || last.empty()) return "";
+      const Figure figure = figure_at(*equations_, homotopy.curve().unknowns(last));
+      return escape_met(escapes_, program_.plan(), *system_, figure, kFar * homotopy.extent());
+    };
+    path.escape = met(path.found.path.end, path.found.path.last);
+    path.other_escape = met(path.found.path.other_end, path.found.path.other_last);
   }
 
   /// The figures on all branches but the solution's own.
@@ -133,6 +147,7 @@ class Explorer {
   const SystemFunctions* wanted_;
   const ExplorationOptions* options_;
   PlanProgram program_;
+  std::vector<PlanEscape> escapes_;
   PlanEvaluator evaluator_;
   std::deque<NewSketch> sketches_;
   FigureClasses seen_, solutions_;

@@ -36,8 +36,9 @@ struct ExploredPath {
   NewSketch sketch;
   SketchSolutions found;
   PathExplanation explanation;
-  std::vector<std::size_t> numbers;  ///< of its solutions, among those of all paths
-  std::string refused{};             ///< why the sketch could not be followed; empty where it was
+  std::vector<std::size_t> numbers;      ///< of its solutions, among those of all paths
+  std::string escape{}, other_escape{};  ///< of ends at infinity: the configuration of the plan
+  std::string refused{};                 ///< why the sketch could not be followed; empty where it was
 };
 
 struct Exploration {
