@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <unistd.h>
 
@@ -129,10 +130,16 @@ void print_paths(const Json& paths) {
     fmt::print("  path: {}{}, length {:.4g}, {} steps, crosses t = 1 {} times\n", end,
                end == other_end ? "" : " and " + other_end, path["length"].get<double>(),
                path["steps"].get<std::uint64_t>(), path["crossings"].size());
-    for (const char* key : {"escape", "other_escape"}) {
-      if (path.contains(key) && (std::string(key) == "escape" || path[key] != path.value("escape", "")))
-        fmt::print("    ends with {}\n", path[key].get<std::string>());
+    for (const std::string key : {"escape", "plan_event"}) {
+      const std::string text = path.value(key, ""), other = path.value("other_" + key, "");
+      if (!text.empty()) fmt::print("    ends: {}\n", text);
+      if (!other.empty() && other != text) fmt::print("    ends: {}\n", other);
     }
+    std::map<std::string, std::size_t> events;
+    for (const Json& crossing : path["crossings"]) {
+      if (crossing.contains("event")) ++events[crossing["event"].get<std::string>()];
+    }
+    for (const auto& [event, count] : events) fmt::print("    at {} of its crossings {}\n", count, event);
   }
 }
 

@@ -25,6 +25,8 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
     for (std::size_t k = 0; k < path.crossings.size(); ++k) {
       crossings.push_back({{"length", path.crossings[k].length},
                            {"solution", followed.numbers[followed.found.solution_of_crossing[k]]}});
+      if (k < followed.crossing_events.size() && !followed.crossing_events[k].empty())
+        crossings.back()["event"] = followed.crossing_events[k];
       if (path.crossings[k].is_touching) crossings.back()["touching"] = true;
     }
     Json critical = Json::array();
@@ -44,8 +46,12 @@ void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
                                {"critical", std::move(critical)},
                                {"configuration", followed.explanation.end},
                                {"other_configuration", followed.explanation.other_end}});
-    if (!followed.escape.empty()) result["paths"].back()["escape"] = followed.escape;
-    if (!followed.other_escape.empty()) result["paths"].back()["other_escape"] = followed.other_escape;
+    for (const auto& [key, text] : {std::pair("escape", &followed.escape),
+                                    {"other_escape", &followed.other_escape},
+                                    {"plan_event", &followed.plan_event},
+                                    {"other_plan_event", &followed.other_plan_event}}) {
+      if (!text->empty()) result["paths"].back()[key] = *text;
+    }
     if (!followed.origin.empty()) result["paths"].back()["sketch"] = followed.origin;
     if (path.tubes > 0) {
       Json& entry = result["paths"].back();

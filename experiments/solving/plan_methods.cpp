@@ -11,6 +11,7 @@
 #include "construction/plan_homotopy.h"
 #include "construction/plan_newton.h"
 #include "construction/plan_simplices.h"
+#include "construction/plan_singularity.h"
 #include "experiments/solving/path_settings.h"
 #include "experiments/solving/plan_report.h"
 #include "experiments/solving/sketch_source.h"
@@ -70,6 +71,41 @@ void note_escapes(FollowedPath& followed, const Plan& plan, const PlanSource& gi
   followed.other_escape = met(path.other_end, path.other_last);
 }
 
+/// Where instructions of the plan have no point of their own, and where the frame of the system holds no
+/// figure.
+void note_events(FollowedPath& followed, const PlanHomotopy& homotopy, const PlanSource& given) {
+  constexpr double kSingular = 1e-3;
+  const Path& path = followed.found.path;
+  const PlanProgram& program = homotopy.program();
+  const auto figure_of = [&](const std::vector<double>& v) {
+    return figure_at(given.equations, homotopy.curve().unknowns(v));
+  };
+  const auto line_text = [&](const char* whose, const Frame& frame) {
+    std::string names;
+    for (const std::size_t point : frame) names += " " + given.system.objects[point].name;
+    return fmt::format("the points of the {}frame,{}, are on a line", whose, names);
+  };
+  const Frame& frame = given.source.geometry.frame;
+  const Frame plan_frame = program.plan().frame(given.system.universe);
+  const auto event = [&](PathEnd end, const std::vector<double>& last) -> std::string {
+    if ((end != PathEnd::stuck && end != PathEnd::to_undefined) || last.empty()) return "";
+    const Figure figure = figure_of(last);
+    if (is_frame_flat(plan_frame, figure)) return line_text("plan's ", plan_frame);
+    const auto least = least_general_step(program, in_frame(given.system, plan_frame, figure), given.wanted);
+    std::string text = is_frame_flat(frame, figure) ? line_text("", frame) : "";
+    if (!least || !(least->sine < kSingular)) return text;
+    const std::string& name = given.system.objects[program.steps()[least->step].point].name;
+    return text + (text.empty() ? "" : "; ") + "the plan is singular at " + name +
+           ", whose loci are not in general position";
+  };
+  followed.plan_event = event(path.end, path.last);
+  followed.other_plan_event = event(path.other_end, path.other_last);
+  for (const Crossing& crossing : path.crossings) {
+    const bool is_flat = is_frame_flat(frame, figure_of(crossing.v));
+    followed.crossing_events.push_back(is_flat ? line_text("", frame) : "");
+  }
+}
+
 SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSettings& settings,
                               const std::optional<SearchStart>&, const std::stop_token& stop,
                               SearchObserver*) {
@@ -90,6 +126,7 @@ SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSetti
   followed.explanation =
       explain(followed.found.path, given.system, given.equations, curve, sketched.extent());
   note_escapes(followed, homotopy.program().plan(), given, curve, sketched.extent());
+  note_events(followed, homotopy, given);
   SolveOutcome outcome = outcome_of(std::move(followed), false);
   outcome.plan = report_with_escapes(homotopy.program().plan(), given.system);
   return outcome;
@@ -115,7 +152,11 @@ struct Branched {
       : sketched(given.system, given.source.geometry.frame, given.equations, given.wanted,
                  given.source.sketch, homotopy_options(options)),
         homotopy(given.system, given.source.geometry.frame, given.equations, sketched, plan_kind(options)),
-        map(homotopy.motion()) {}
+        map(homotopy.motion()) {
+    if (map.guides() == 0)
+      throw NotApplicable(
+          "the construction plan needs no guide parameters: plan_evaluation lists all solutions");
+  }
 
   SketchHomotopy sketched;
   PlanHomotopy homotopy;

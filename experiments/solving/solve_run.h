@@ -37,7 +37,10 @@ struct FollowedPath {
   std::optional<TracedPath> trace{};
   std::optional<double> step_s{};        ///< median time of its steps
   std::string escape{}, other_escape{};  ///< configurations of a plan that ends at infinity meet
-  std::string origin{};                  ///< of the sketch, where it is not the user's: "class 2, branch +-+"
+  /// What is special about the plan where the path ends otherwise, and about each crossing, empty or not.
+  std::string plan_event{}, other_plan_event{};
+  std::vector<std::string> crossing_events{};
+  std::string origin{};  ///< of the sketch, where it is not the user's: "class 2, branch +-+"
 };
 
 /// What is told of a construction plan.

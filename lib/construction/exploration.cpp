@@ -129,6 +129,10 @@ class Explorer {
 
   /// The figures on all branches but the solution's own.
   void make_sketches(const Figure& solution, std::size_t number) {
+    if (is_frame_flat(program_.plan().frame(system_->universe), solution)) {
+      ++result_.unread;
+      return;
+    }
     const Figure figure = in_frame(*system_, program_.plan(), solution);
     const PlanValues read = evaluator_.read(figure, *values_);
     seen_.add(figure);

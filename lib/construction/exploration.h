@@ -48,6 +48,7 @@ struct Exploration {
   std::vector<ExploredPath> paths;
   std::size_t sketches = 0;  ///< that all branches gave, the user's included
   std::size_t repeated = 0;  ///< congruent to one that was followed
+  std::size_t unread = 0;  ///< solutions with the points of the plan's frame on a line, which show no values
   bool is_finished = false;  ///< no sketch is left
 };
 

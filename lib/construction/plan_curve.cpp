@@ -102,7 +102,7 @@ std::vector<double> PlanCurve::unknowns(std::span<const double> v) const {
     const auto first = run_.variables().begin() + static_cast<std::ptrdiff_t>(p * d);
     figure.emplace_back(first, first + static_cast<std::ptrdiff_t>(d));
   }
-  std::vector<double> result = unknowns_of(*equations_, in_frame(*system_, frame_, figure));
+  std::vector<double> result = unknowns_of(*equations_, in_frame_or_on_line(*system_, frame_, figure));
   if (equations_->auxiliaries > 0)
     result = fit_auxiliaries(*system_, *equations_, std::move(result)).unknowns;
   return result;

@@ -13,25 +13,36 @@ namespace {
 /// A frame's points nearer to a line than this part of their distances leave no direction to tell.
 constexpr double kFlat = 1e-9;
 
-/// Orthonormal axes through the points of the frame, the first of which is the origin.
-std::vector<Numbers> axes_of(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
-  const Numbers& origin = figure[frame[0]];
+/// The axes of the frame's points after the first, as far as they leave a direction to tell.
+std::vector<Numbers> frame_axes(const Frame& frame, const Figure& figure) {
   std::vector<Numbers> axes;
   for (std::size_t k = 1; k < frame.size(); ++k) {
-    axes.push_back(next_axis(difference(figure[frame[k]], origin), axes, kFlat));
-    if (!axes.back().empty()) continue;
-    std::string names;
-    for (const std::size_t point : frame) names += " " + system.objects[point].name;
-    throw InputError("the sketch has the points of the frame," + names +
-                     (axes.size() == 1 ? ", at one place" : ", on a line") +
-                     "; draw them apart, or choose another frame");
+    Numbers axis = next_axis(difference(figure[frame[k]], figure[frame[0]]), axes, kFlat);
+    if (axis.empty()) break;
+    axes.push_back(std::move(axis));
   }
+  return axes;
+}
+
+/// The axes, completed to a right-handed basis.
+std::vector<Numbers> completed(std::vector<Numbers> axes) {
   if (axes.size() == 1) axes.push_back({-axes[0][1], axes[0][0]});
-  if (origin.size() == 3) {
+  if (axes[0].size() == 3) {
     const Numbers &x = axes[0], &y = axes[1];
     axes.push_back({x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]});
   }
   return axes;
+}
+
+/// Orthonormal axes through the points of the frame, the first of which is the origin.
+std::vector<Numbers> axes_of(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
+  std::vector<Numbers> axes = frame_axes(frame, figure);
+  if (axes.size() + 1 == frame.size()) return completed(std::move(axes));
+  std::string names;
+  for (const std::size_t point : frame) names += " " + system.objects[point].name;
+  throw InputError("the sketch has the points of the frame," + names +
+                   (axes.empty() ? ", at one place" : ", on a line") +
+                   "; draw them apart, or choose another frame");
 }
 
 Numbers turned(const Numbers& vector, const std::vector<Numbers>& axes) {
@@ -50,6 +61,19 @@ Numbers moved(Sort sort, Universe universe, const Numbers& object, const Numbers
   if (sort == Sort::line && !parts.position.empty())
     parts.position = nearest_to_origin(parts.position, parts.direction);
   return joined(parts);
+}
+
+/// Into these axes, with the zeros of the frame exact.
+Figure moved_to(const ConstraintSystem& system, const Frame& frame, const Figure& figure,
+                const std::vector<Numbers>& axes) {
+  const Numbers& origin = figure[frame[0]];
+  Figure result;
+  for (std::size_t k = 0; k < figure.size(); ++k)
+    result.push_back(moved(system.objects[k].sort, system.universe, figure[k], origin, axes));
+  for (std::size_t k = 0; k < frame.size(); ++k) {
+    for (std::size_t axis = k; axis < origin.size(); ++axis) result[frame[k]][axis] = 0;
+  }
+  return result;
 }
 
 Numbers random_direction(Random& random, std::size_t size) {
@@ -105,15 +129,28 @@ std::vector<double> nearest_to_origin(std::vector<double> point, const std::vect
 
 Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
   if (frame.empty()) return figure;
+  return moved_to(system, frame, figure, axes_of(system, frame, figure));
+}
+
+Figure in_frame_or_on_line(const ConstraintSystem& system, const Frame& frame, const Figure& figure) {
+  if (frame.empty()) return figure;
+  std::vector<Numbers> axes = frame_axes(frame, figure);
   const Numbers& origin = figure[frame[0]];
-  const std::vector<Numbers> axes = axes_of(system, frame, figure);
-  Figure result;
-  for (std::size_t k = 0; k < figure.size(); ++k)
-    result.push_back(moved(system.objects[k].sort, system.universe, figure[k], origin, axes));
-  for (std::size_t k = 0; k < frame.size(); ++k) {
-    for (std::size_t axis = k; axis < origin.size(); ++axis) result[frame[k]][axis] = 0;
+  std::vector<Numbers> others;
+  for (std::size_t p = 0; p < system.points(); ++p) others.push_back(difference(figure[p], origin));
+  for (std::size_t axis = 0; axis < origin.size(); ++axis) {
+    others.emplace_back(origin.size(), 0.0);
+    others.back()[axis] = 1;
   }
-  return result;
+  for (std::size_t k = 0; axes.size() + 1 < frame.size(); ++k) {
+    Numbers axis = next_axis(others[k], axes, kFlat);
+    if (!axis.empty()) axes.push_back(std::move(axis));
+  }
+  return moved_to(system, frame, figure, completed(std::move(axes)));
+}
+
+bool is_frame_flat(const Frame& frame, const Figure& figure) {
+  return frame_axes(frame, figure).size() + 1 < frame.size();
 }
 
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure) {

@@ -14,6 +14,14 @@ std::vector<double> nearest_to_origin(std::vector<double> point, const std::vect
 /// point).
 Figure in_frame(const ConstraintSystem& system, const Frame& frame, const Figure& figure);
 
+/// The same for any figure of a path: where the points of the frame are on a line (at one place), one of the
+/// turns about it that leave the frame's coordinates 0, which puts another object in the xy plane (on the x
+/// axis) where one is not on that line.
+Figure in_frame_or_on_line(const ConstraintSystem& system, const Frame& frame, const Figure& figure);
+
+/// Whether the points of the frame are on a line (in the plane: at one place), so that in_frame throws.
+bool is_frame_flat(const Frame& frame, const Figure& figure);
+
 /// What the figure shows for each parameter: the measure of the first constraint that has it. Throws
 /// InputError that names the constraint when its measure is undefined there.
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure);

@@ -1,0 +1,21 @@
+#pragma once
+
+// Where a plan is singular: figures in which the loci of an instruction are not in general position, so that
+// it does not place its point.
+
+#include "construction/branch.h"
+
+namespace gcslab {
+
+struct PlanSingularity {
+  std::size_t step;
+  /// Of the angles between the planes of its loci, that of two spheres included, as |det| or |a x b| over the
+  /// product of lengths: 0 where centres are on a line or planes parallel.
+  double sine;
+};
+
+/// The step with the least sine, in a figure in the plan's frame; nothing where no step has two planes.
+std::optional<PlanSingularity> least_general_step(const PlanProgram& program, const Figure& figure,
+                                                  const std::vector<double>& parameters);
+
+}  // namespace gcslab
