@@ -77,6 +77,7 @@ void add_plan(Json& result, const PlanReport& plan) {
   if (plan.branches) entry["branches"] = *plan.branches;
   if (plan.empty_branches) entry["empty_branches"] = *plan.empty_branches;
   if (plan.sketches) entry["sketches"] = *plan.sketches;
+  if (plan.unread) entry["unread_solutions"] = *plan.unread;
   if (plan.branch_changes) entry["branch_changes"] = *plan.branch_changes;
   if (!plan.escapes) return;
   entry["escapes"] = Json::array();

@@ -50,6 +50,7 @@ struct PlanReport {
   std::optional<std::uint64_t> branches{};        ///< that may have a figure, of an evaluation on all
   std::optional<std::uint64_t> empty_branches{};  ///< that were proved to have none
   std::optional<std::size_t> sketches{};          ///< that its branches gave
+  std::optional<std::size_t> unread{};            ///< solutions that show no values, their frame on a line
   std::optional<std::uint64_t> branch_changes{};  ///< on the path
   struct Escape {
     std::string object;
