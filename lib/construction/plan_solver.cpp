@@ -98,7 +98,13 @@ class Solver {
       const bool is_decided = enclose();
       if (is_decided || !result_.is_finished || bits >= options_->maximum_bits) break;
     }
-    for (const Found& found : found_) settle(found);
+    for (const Found& found : found_) {
+      if (stop_.stop_requested()) {
+        result_.is_finished = false;
+        break;
+      }
+      settle(found);
+    }
     return std::move(result_);
   }
 

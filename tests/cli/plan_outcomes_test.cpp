@@ -1,5 +1,7 @@
 // What a user is told of construction plans that solve a system, that cannot, and that degenerate on the way.
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +53,33 @@ TEST_F(PlanOutcomes, OfASystemThatThePlanSolvesAreAllSolutionsWithProof) {
                   "$gcslab verify r.json --proof bad.proof")
                 .exit_code,
             1);
+}
+
+TEST_F(PlanOutcomes, AreThoseOfTheBoxSolverOnTheCorpus) {
+  for (const std::string problem :
+       {"sketches/triangle", "polyhedra/tetrahedron-volume", "figure_families/polygon-5",
+        "figure_families/polygon-7", "figure_families/triangulated-polyhedron-4"}) {
+    const Json found = solved(problem + " --method plan_evaluation --proof r.proof");
+    EXPECT_EQ(found["status"], "complete") << problem;
+    EXPECT_TRUE(has(shell("$gcslab verify r.json --proof r.proof").out, "nothing is missing")) << problem;
+    const Json searched = solved(problem + " --method adaptive");
+    EXPECT_EQ(searched["status"], "complete") << problem;
+    EXPECT_EQ(found["solutions"].size(), searched["solutions"].size()) << problem;
+    EXPECT_EQ(found["classes"].size(), searched["classes"].size()) << problem;
+    for (const Json& solution : found["solutions"]) {
+      const std::vector<double> point = solution["point"];
+      EXPECT_TRUE(std::ranges::any_of(searched["solutions"], [&](const Json& other) {
+        const std::vector<double> there = other["point"];
+        return std::ranges::equal(point, there, [](double a, double b) { return std::abs(a - b) < 1e-9; });
+      })) << problem;
+    }
+  }
+}
+
+TEST_F(PlanOutcomes, GoOnNoLongerThanTheyMay) {
+  const Json result = solved("figure_families/polygon-20 --method plan_evaluation --timeout 1", 3);
+  EXPECT_EQ(result["status"], "budget_exhausted");
+  EXPECT_FALSE(result["undecided"].empty());
 }
 
 TEST_F(PlanOutcomes, OfLociThatMissEachOtherAreNoneWithProof) {

@@ -108,7 +108,8 @@ TEST(PlanNumbers, OfLociThatNearlyTouchAreAsExactAsTheirValues) {
     const double gap = std::pow(10, random.uniform(-13, -1));
     // A side is the sum or the difference of the others, nearly.
     PlanValues values{{r, s, (k % 2 == 0 ? (r + s) * (1 - gap) : std::abs(r - s) + gap)}, {}, {}, {}};
-    std::ranges::rotate(values.parameters, values.parameters.begin() + static_cast<std::ptrdiff_t>(k % 3));
+    std::rotate(values.parameters.begin(), values.parameters.begin() + static_cast<std::ptrdiff_t>(k % 3),
+                values.parameters.end());
     const auto enclosed = enclosed_figure(program, values, {false}, 256);
     const PlanPlace place = evaluator.evaluate(values, {false});
     if (!enclosed || place.failure != PlanFailure::none) continue;
