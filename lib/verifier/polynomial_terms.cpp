@@ -144,7 +144,8 @@ std::vector<std::uint32_t> constants_in(Expression root) {
     if (!reached[i]) continue;
     const Expression e = root.graph().node(i);
     is_fixed[i] = e.operation() != Operation::variable;
-    for (int k = 0; k < info(e.operation()).operands; ++k) is_fixed[i] = is_fixed[i] && is_fixed[e.operand(k).index()];
+    for (int k = 0; k < info(e.operation()).operands; ++k)
+      is_fixed[i] = is_fixed[i] && is_fixed[e.operand(k).index()];
     switch (e.operation()) {
       case Operation::constant:
       case Operation::add:

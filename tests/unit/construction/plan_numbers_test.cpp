@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "construction/plan_border.h"
 #include "construction/plan_enclosure.h"
+#include "construction/plan_singularity.h"
 #include "support/corpus_figure.h"
 #include "support/fuzz.h"
 
@@ -131,15 +132,19 @@ TEST(PlanNumbers, OfLociThatNearlyTouchAreAsExactAsTheirValues) {
   EXPECT_GT(worst, 1e-3);  // the cases do come near to it
 }
 
-/// The apex of a tetrahedron over a triangle of good shape, 10^-1 to 10^-7 above it.
-TEST(PlanNumbers, OfSpheresThatNearlyTouchALineAreAsExactAsTheirValues) {
-  ConstraintSystem system = read_constraint_system(YamlNode::parse(
+ConstraintSystem tetrahedron() {
+  return read_constraint_system(YamlNode::parse(
       "kind: constraint_system\nname: test\nuniverse: 3d\npoints: [A, B, C, D]\nconstraints:\n"
       "  - {distance: [A, B], parameter: a}\n  - {distance: [A, C], parameter: b}\n"
       "  - {distance: [B, C], parameter: c}\n  - {distance: [A, D], parameter: d}\n"
       "  - {distance: [B, D], parameter: e}\n  - {distance: [C, D], parameter: f}\n"
       "valuations: {wanted: {a: 1, b: 1, c: 1, d: 1, e: 1, f: 1}}\norigin: test\nlicence: test\n",
       "test.yaml"));
+}
+
+/// The apex of a tetrahedron over a triangle of good shape, 10^-1 to 10^-7 above it.
+TEST(PlanNumbers, OfSpheresThatNearlyTouchALineAreAsExactAsTheirValues) {
+  const ConstraintSystem system = tetrahedron();
   const PlanProgram program(system, *plan_without_guides(system, frame_of(system)));
   PlanEvaluator evaluator(program);
   Random random(fuzz_seed(), "apex");
@@ -195,6 +200,27 @@ TEST(PlanBorder, IsWhereTheDomainEnds) {
     EXPECT_EQ(border->nearest_choice, border->least_choice);
     EXPECT_GT(border->least_radicand, 0);
     EXPECT_LT(border->least_radicand, 1e-3);
+  }
+}
+
+TEST(PlanSingularity, IsWhereCentresComeOnALine) {
+  const ConstraintSystem system = tetrahedron();
+  const PlanProgram program(system, *plan_without_guides(system, frame_of(system)));
+  for (const double angle : {1.5, 0.1, 1e-4, 0.0}) {
+    // The first three points of the plan span that angle.
+    Figure figure(4);
+    const double places[4][3] = {
+        {0, 0, 0}, {2, 0, 0}, {3 * std::cos(angle), 3 * std::sin(angle), 0}, {1, 1, 1}};
+    for (std::size_t k = 0; k < 4; ++k)
+      figure[program.plan().steps[k].point] = {places[k][0], places[k][1], places[k][2]};
+    const auto least = least_general_step(program, figure, std::vector<double>(6, 1.0));
+    ASSERT_TRUE(least.has_value());
+    EXPECT_EQ(least->step, 3U);
+    // The planes of the spheres are orthogonal to sides of the triangle.
+    const double side = std::hypot(places[2][0] - 2, places[2][1]);
+    const double sines[3] = {std::sin(angle), 3 * std::sin(angle) / side, 2 * std::sin(angle) / side};
+    EXPECT_TRUE(
+        std::ranges::any_of(sines, [&](double sine) { return std::abs(sine - least->sine) < 1e-12; }));
   }
 }
 
