@@ -211,11 +211,18 @@ SolveOutcome search_branches(const SystemFunctions& functions, const SolveSettin
   outcome.status = Status::partial;
   outcome.steps = found.evaluations;
   outcome.plan = report_of(branched.homotopy.program().plan(), given.system);
-  if (listed.solutions.empty())
+  if (listed.solutions.empty()) {
+    std::string missing;
+    for (const PlanStep& step : branched.homotopy.program().plan().steps) {
+      if (step.choice && found.negative.contains(*step.choice))
+        missing += (missing.empty() ? "" : ", ") + given.system.objects[step.point].name;
+    }
     outcome.reason = fmt::format(
-        "no solution: {} branches never inside of their domain, {} stopped at its border or a minimum, {} "
+        "no solution: {} branches never inside of their domain{}, {} stopped at its border or a minimum, {} "
         "unfinished",
-        found.outside, found.stuck, found.unfinished);
+        found.outside, missing.empty() ? "" : fmt::format(" (the loci of {} do not meet)", missing),
+        found.stuck, found.unfinished);
+  }
   return outcome;
 }
 

@@ -52,6 +52,7 @@ class NewtonSearch {
     std::optional<double> size = size_at(branch, v);
     if (!size) {
       ++result_.outside;
+      if (const auto border = map_->values(branch, v, values_).border) result_.negative.insert(*border);
       return;
     }
     const std::size_t m = map_->guides();

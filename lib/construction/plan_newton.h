@@ -3,6 +3,8 @@
 // Values of the guide parameters for which the figure of a plan satisfies the removed constraints too:
 // searches at t = 1 on one branch after the other, as they were proposed before paths were followed.
 
+#include <set>
+
 #include "construction/branch_map.h"
 
 namespace gcslab {
@@ -18,6 +20,7 @@ struct BranchSearch {
   /// Branches on which the search ended without a solution: never inside of the domain; at its border or in
   /// a minimum of |F|; in the last iteration.
   std::size_t outside = 0, stuck = 0, unfinished = 0;
+  std::set<std::size_t> negative{};  ///< choices with a negative radicand where branches start outside
 };
 
 /// Newton's iteration from these guides on every branch, a step halved until it stays in the domain and |F|

@@ -157,7 +157,7 @@ TEST_F(PlanOutcomes, SayThatAGuideIsOutsideOfTheDomain) {
         "sketch: {A: [0, 0], B: [9, 0], C: [8, 9], D: [0, 8]}\norigin: test\nlicence: test\n");
   const Json result = solved("far.yaml --method plan_newton");
   EXPECT_TRUE(result["solutions"].empty());
-  EXPECT_TRUE(has(answer_.err, "branches never inside of their domain")) << answer_.err;
+  EXPECT_TRUE(has(answer_.err, "branches never inside of their domain (the loci of")) << answer_.err;
 }
 
 TEST_F(PlanOutcomes, NameWhereAPathGoesToInfinity) {
