@@ -222,8 +222,9 @@ TEST(PlanSolver, DiscardsBranchesThatViolateAConstraintMore) {
 }
 
 TEST(PlanSolver, StopsAtItsBudgetAndSaysSo) {
-  Random random(fuzz_seed(), "budget");
-  const CorpusFigure figure = of_lengths("2d", "P0, P1, P2, P3, P4", random_chain(random, 2, 5));
+  const CorpusFigure figure =
+      of_lengths("2d", "A, B, C", {{"A", "B", "5"}, {"A", "C", "4"}, {"B", "C", "3"}});
+  EXPECT_TRUE(solved(figure, {.maximum_branches = 2}).is_finished);
   EXPECT_FALSE(solved(figure, {.maximum_branches = 1}).is_finished);
 }
 
