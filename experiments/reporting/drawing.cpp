@@ -29,6 +29,7 @@ struct ShapeStyle {
   double line_width;
   int dash_type;
   int point_type;
+  double point_size = 0.4;
 };
 
 const std::map<std::string, ShapeStyle>& shape_styles() {
@@ -47,7 +48,10 @@ const std::map<std::string, ShapeStyle>& shape_styles() {
       {"body", {palette::kBlue, "#E8F1F8", 0.1, 1, 7}},
       {"edge", {palette::kBlue, "", 0.9, 1, 7}},
       {"hidden", {palette::kBlue, "", 0.5, 2, 7}},
-      {"mesh", {"#707070", "", 0.25, 1, 7}}};
+      {"mesh", {"#707070", "", 0.25, 1, 7}},
+      {"bold", {palette::kBlack, "", 2.4, 1, 7, 0.6}},
+      {"square", {palette::kBlack, "", 1, 1, 5, 0.6}},
+      {"disc", {palette::kVermillion, "", 1, 1, 7, 0.6}}};
   return styles;
 }
 
@@ -211,7 +215,8 @@ class Drawing {
       return fmt::format(", \\\n  data index {} using 1:2 with {}", block, with);
     };
     if (kind == "points")
-      return layer(fmt::format("points pt {} ps 0.4 lc rgb '{}'", style.point_type, style.colour));
+      return layer(
+          fmt::format("points pt {} ps {} lc rgb '{}'", style.point_type, style.point_size, style.colour));
     if (kind == "polyline" || kind == "segment") return layer("lines " + line);
     if (kind != "polygon") fail("'" + kind + "' is no kind of shape");
     if (style.fill.empty()) return layer("lines " + line);

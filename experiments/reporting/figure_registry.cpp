@@ -43,6 +43,7 @@ const Registry<FigureKind>& figure_kinds() {
                                                                 deformation_kind(),
                                                                 distribution_kind(),
                                                                 performance_profile_kind(),
+                                                                plan_graph_kind(),
                                                                 ray_panels_kind(),
                                                             });
   return kinds;

@@ -16,6 +16,7 @@ FigureKind paths_kind();
 FigureKind deformation_kind();
 FigureKind distribution_kind();
 FigureKind performance_profile_kind();
+FigureKind plan_graph_kind();
 FigureKind ray_panels_kind();
 
 }  // namespace gcslab

@@ -11,15 +11,6 @@ namespace {
   throw InputError(request.item.where, "'" + request.item.file + "': " + message);
 }
 
-/// The texts of a row on the axes on which the rows differ.
-std::string name_of_row(const Row& row, const RowPointers& rows) {
-  std::string name;
-  for (const auto& [axis, text] : row.axes) {
-    if (keys_on(rows, {axis}).size() > 1) name += (name.empty() ? "" : ", ") + heading_of(axis, text);
-  }
-  return name;
-}
-
 PathRow path_row(const Row& row, const FigureRequest& request) {
   if (!row.artifact.is_object() || !row.artifact.contains("path"))
     fail(request, "the rows hold no path of " + place_text(row) +
@@ -34,6 +25,14 @@ PathRow path_row(const Row& row, const FigureRequest& request) {
 }
 
 }  // namespace
+
+std::string name_of_row(const Row& row, const RowPointers& rows) {
+  std::string name;
+  for (const auto& [axis, text] : row.axes) {
+    if (keys_on(rows, {axis}).size() > 1) name += (name.empty() ? "" : ", ") + heading_of(axis, text);
+  }
+  return name;
+}
 
 std::vector<PathRow> path_rows(const FigureRequest& request) {
   std::vector<PathRow> result;

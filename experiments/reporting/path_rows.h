@@ -11,6 +11,9 @@
 
 namespace gcslab {
 
+/// The texts of a row on the axes on which the rows differ.
+std::string name_of_row(const Row& row, const RowPointers& rows);
+
 struct PathRow {
   const Row* row;
   std::string name;  ///< what tells the row from the others; empty for one alone

@@ -74,6 +74,7 @@ void add_plan(Json& result, const PlanReport& plan) {
   Json& entry = result["plan"];
   entry = {
       {"text", plan.lines}, {"guides", plan.guides}, {"choices", plan.choices}, {"removed", plan.removed}};
+  entry.update(to_json(plan.diagram));
   if (plan.branches) entry["branches"] = *plan.branches;
   if (plan.empty_branches) entry["empty_branches"] = *plan.empty_branches;
   if (plan.sketches) entry["sketches"] = *plan.sketches;

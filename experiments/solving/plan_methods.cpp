@@ -266,7 +266,10 @@ SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSetti
     outcome.search.solutions.push_back(found_solution(solution.unknowns, solution.root));
   outcome.status = found.is_finished ? Status::partial : Status::budget_exhausted;
   outcome.steps = 0;
+  std::vector<PlanReport::NewFigure> of_the_first;
   for (ExploredPath& path : found.paths) {
+    if (path.sketch.solution == 0U)
+      of_the_first.push_back({"branch " + text_of(path.sketch.branch), path.sketch.figure});
     *outcome.steps += path.found.path.steps;
     FollowedPath followed{std::move(path.found), std::move(path.explanation), std::move(path.numbers)};
     followed.escape = std::move(path.escape);
@@ -279,6 +282,7 @@ SolveOutcome explore_sketches(const SystemFunctions& functions, const SolveSetti
   outcome.plan = report_with_escapes(found.plan, given.system);
   outcome.plan->sketches = found.sketches;
   if (found.unread > 0) outcome.plan->unread = found.unread;
+  outcome.plan->new_sketches = std::move(of_the_first);
   return outcome;
 }
 

@@ -17,7 +17,8 @@ std::vector<std::string> lines_of(const std::string& text, char end) {
 }
 
 PlanReport report_of(const Plan& plan, const ConstraintSystem& system) {
-  return {lines_of(text_of(plan, system), '\n'), plan.guides.size(), plan.choices(), plan.removed.size()};
+  return {lines_of(text_of(plan, system), '\n'), plan.guides.size(), plan.choices(), plan.removed.size(),
+          plan_diagram(plan, system)};
 }
 
 PlanReport report_with_escapes(const Plan& plan, const ConstraintSystem& system) {

@@ -10,6 +10,7 @@
 
 #include "box_solver/solver_method.h"
 #include "experiments/corpus/problem.h"
+#include "experiments/solving/plan_diagram.h"
 #include "experiments/solving/traced_path.h"
 #include "homotopy/path_explanation.h"
 #include "homotopy/sketch_solver.h"
@@ -47,11 +48,17 @@ struct FollowedPath {
 struct PlanReport {
   std::vector<std::string> lines;  ///< as a text: steps, guides, removed constraints
   std::size_t guides = 0, choices = 0, removed = 0;
+  PlanDiagram diagram{};
   std::optional<std::uint64_t> branches{};        ///< that may have a figure, of an evaluation on all
   std::optional<std::uint64_t> empty_branches{};  ///< that were proved to have none
   std::optional<std::size_t> sketches{};          ///< that its branches gave
   std::optional<std::size_t> unread{};            ///< solutions that show no values, their frame on a line
   std::optional<std::uint64_t> branch_changes{};  ///< on the path
+  struct NewFigure {
+    std::string origin;  ///< "branch +-+"
+    Figure figure;       ///< in the frame of the plan
+  };
+  std::vector<NewFigure> new_sketches{};  ///< that the first solution gave
   struct Escape {
     std::string object;
     std::vector<std::string> guides;

@@ -17,7 +17,8 @@ namespace {
 const Registry<Illustration>& drawings() {
   static const Registry<Illustration> registry("method", [] {
     std::vector<Illustration> all;
-    for (const auto& family : {bernstein_illustrations(), polytope_illustrations(), solver_illustrations()})
+    for (const auto& family :
+         {bernstein_illustrations(), polytope_illustrations(), solver_illustrations(), plan_illustrations()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }());
@@ -45,7 +46,8 @@ std::map<std::string, std::string> published_in(const std::filesystem::path& pat
 }  // namespace
 
 std::string IllustrateTask::summary() const {
-  return "drawings of Bernstein polynomials, of the polytope and of what contractors do";
+  return "drawings of Bernstein polynomials, of the polytope, of what contractors do, and of construction "
+         "plans";
 }
 
 std::vector<MethodInfo> IllustrateTask::methods() const {
@@ -61,12 +63,16 @@ std::vector<ValueInfo> IllustrateTask::values() const {
     values.push_back(fact);
     values.push_back({"published_" + fact.name, "the same as the source prints it"});
   }
+  values.push_back({"branch_changes", "of a path from one branch of a plan to another", "changes"});
+  values.push_back({"crossings", "of t = 1 by a path", "crossings"});
+  values.push_back({"simplices", "that a path passes", "simplices"});
+  values.push_back({"figures", "that the branches of a plan have", "figures"});
   values.push_back({"widths", "of the interval after each reduction"});
   return values;
 }
 
 std::vector<std::string> IllustrateTask::problem_kinds() const {
-  return {"function", "system", "bernstein_basis", "bezier_curve"};
+  return {"function", "system", "constraint_system", "bernstein_basis", "bezier_curve"};
 }
 
 void IllustrateTask::check(const Job& job) const {
@@ -78,6 +84,8 @@ void IllustrateTask::check(const Job& job) const {
   }
   if (kind == "function" || kind == "system") {
     static_cast<void>(load_problem(path));
+  } else if (kind == "constraint_system") {
+    static_cast<void>(load_system(path.string()));
   } else {
     check_illustration(path);
   }

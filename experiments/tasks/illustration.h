@@ -36,6 +36,7 @@ struct Illustration {
 std::vector<Illustration> bernstein_illustrations();
 std::vector<Illustration> polytope_illustrations();
 std::vector<Illustration> solver_illustrations();
+std::vector<Illustration> plan_illustrations();
 
 Json point_json(const RationalPoint& p);
 Json points_json(const ControlPolygon& points);

@@ -87,7 +87,10 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   if (has_option(settings.options, "random_sketch"))
     picture.sketch = in_frame(source.system, source.frame, sketch_source(settings).sketch);
   result.artifact = to_json(picture);
-  if (found.plan) add_plan_values(*found.plan, result);
+  if (found.plan) {
+    add_plan_values(*found.plan, result);
+    result.artifact["plan"] = to_json(found.plan->diagram);
+  }
   if (!found.paths.empty()) result.values["paths"] = found.paths.size();
   if (found.paths.size() != 1) return;  // of many, only their number
   const FollowedPath& followed = found.paths.front();

@@ -43,8 +43,13 @@ struct Mirror {
 class Follower {
  public:
   Follower(BranchMap& map, const PlanValues& start, const PlanSimplexOptions& options,
-           const std::stop_token& stop)
-      : map_(&map), options_(&options), stop_(stop), n_(map.guides() + 1), values_(map.guides()) {
+           const std::stop_token& stop, const SimplexObserver& observer)
+      : map_(&map),
+        options_(&options),
+        stop_(stop),
+        observer_(&observer),
+        n_(map.guides() + 1),
+        values_(map.guides()) {
     for (const double guide : start.guides) start_.push_back(guide / map.unit());
     start_.push_back(0);
     for (const double height : start.heights) start_branch_.push_back(height < 0);
@@ -59,6 +64,7 @@ class Follower {
  private:
   PathEnd run(int direction) {
     try {
+      direction_ = direction;
       set_out(direction);
       here_ = start_;
       length_ = 0;
@@ -150,8 +156,23 @@ class Follower {
     for (std::size_t k = 0; k < n_; ++k) {
       for (std::size_t i = 0; i < n_; ++i) point_[i] += weights_[index(k)] * vertices_[columns_[k]].v[i];
     }
+    tell();
     replace(old);
     fresh_ = old;
+  }
+
+  void tell() const {
+    if (!*observer_) return;
+    std::vector<Point> vertices;
+    std::vector<bool> is_inside;
+    for (const Vertex& vertex : vertices_) {
+      vertices.push_back(vertex.v);
+      is_inside.push_back(vertex.domain.is_inside);
+    }
+    std::optional<PassedSimplex::Border> border;
+    if (mirror_)
+      border = {{mirror_->normal.data(), mirror_->normal.data() + mirror_->normal.size()}, mirror_->offset};
+    (*observer_)({vertices, is_inside, branch_, border, point_, on_curve(), branch_on_curve(), direction_});
   }
 
   /// The hyperplane for the simplex as it is; none while all vertices are inside. Changes the branch when
@@ -300,6 +321,8 @@ class Follower {
   BranchMap* map_;
   const PlanSimplexOptions* options_;
   std::stop_token stop_;
+  const SimplexObserver* observer_;
+  int direction_ = 1;
   std::size_t n_;
   std::vector<double> values_;
   Point start_;
@@ -319,8 +342,9 @@ class Follower {
 }  // namespace
 
 PlanSimplexPath follow_plan_simplices(BranchMap& map, const PlanValues& start,
-                                      const PlanSimplexOptions& options, const std::stop_token& stop) {
-  return Follower(map, start, options, stop).follow();
+                                      const PlanSimplexOptions& options, const std::stop_token& stop,
+                                      const SimplexObserver& observer) {
+  return Follower(map, start, options, stop, observer).follow();
 }
 
 }  // namespace gcslab

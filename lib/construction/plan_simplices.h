@@ -9,6 +9,9 @@
 // vertex stands for the function of the old branch at the vertex. When all vertices are outside, the simplex
 // is replaced by its mirror image, and the new branch is the current one.
 
+#include <functional>
+#include <optional>
+
 #include "construction/branch_map.h"
 #include "homotopy/path_tracker.h"
 
@@ -36,9 +39,28 @@ struct PlanSimplexPath {
   std::string failure{};  ///< why a change of branch failed
 };
 
+/// A simplex that the path passes, when it is passed.
+struct PassedSimplex {
+  const std::vector<std::vector<double>>& vertices;
+  const std::vector<bool>& is_inside;  ///< of each vertex: in the domain of the branch
+  const Branch& branch;
+  /// The hyperplane that stands for the border, where not all vertices are inside: normal . v = offset.
+  struct Border {
+    std::vector<double> normal;
+    double offset;
+  };
+  const std::optional<Border>& border;
+  const std::vector<double>& exit;      ///< the zero of the interpolated map in the face that it leaves by
+  const std::vector<double>& on_curve;  ///< the same point, or its mirror image where it is beyond the border
+  const Branch& curve_branch;           ///< of that point
+  int direction;  ///< 1, or -1 for the part of the path that leaves the sketch backwards
+};
+using SimplexObserver = std::function<void(const PassedSimplex&)>;
+
 /// Follows the path through the values of a sketch, on its branch. A failed change of branch ends the path
 /// as `stuck`.
 PlanSimplexPath follow_plan_simplices(BranchMap& map, const PlanValues& start,
-                                      const PlanSimplexOptions& options, const std::stop_token& stop = {});
+                                      const PlanSimplexOptions& options, const std::stop_token& stop = {},
+                                      const SimplexObserver& observer = {});
 
 }  // namespace gcslab

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/gcslab_shell.h"
 
@@ -45,6 +46,36 @@ TEST_F(PlanMethods, ExploreFromThePentahedronsSketch) {
   const Json one = solved("polyhedra/pentahedron --method plan_exploration --set maximum_paths=1", 3);
   EXPECT_EQ(one["paths"].size(), 1U);
   EXPECT_EQ(one["status"], "budget_exhausted");
+}
+
+/// Each step uses points of earlier steps alone, each guide once; what is told by names is the plan's text.
+TEST_F(PlanMethods, TellTheStepsOfThePlan) {
+  for (const char* kind : {"least", "henneberg", "gao", "forward"}) {
+    const Json plan =
+        solved(std::string("polyhedra/pentahedron --method plan_path --set plan=") + kind)["plan"];
+    std::set<std::string> placed, guides;
+    std::size_t choices = 0;
+    for (const Json& step : plan["steps"]) {
+      EXPECT_EQ(step["loci"].size(), std::min<std::size_t>(placed.size(), 3)) << kind;
+      std::string line = step["object"].get<std::string>() + " = ";
+      for (const Json& locus : step["loci"]) {
+        for (const Json& point : locus["of"]) EXPECT_TRUE(placed.contains(point)) << kind << point;
+        if (locus.contains("guide")) EXPECT_TRUE(guides.insert(locus["value"]).second) << kind;
+        if (locus["kind"] == "sphere")
+          EXPECT_NE(
+              plan["text"][placed.size()].get<std::string>().find(
+                  "sphere(" + locus["of"][0].get<std::string>() + ", " + locus["value"].get<std::string>()),
+              std::string::npos);
+      }
+      EXPECT_EQ(plan["text"][placed.size()].get<std::string>().rfind(line, 0), 0U);
+      choices += step["places"] == 2 ? 1 : 0;
+      placed.insert(step["object"]);
+    }
+    EXPECT_EQ(placed.size(), 6U);
+    EXPECT_EQ(guides.size(), plan["guides"]) << kind;
+    EXPECT_EQ(choices, plan["choices"]) << kind;
+    EXPECT_EQ(plan["removed_constraints"].size(), plan["removed"]) << kind;
+  }
 }
 
 TEST_F(PlanMethods, SayWhyTheyDoNotApply) {
