@@ -44,7 +44,11 @@ class FiguresKind {
     }
     FigureScript script = draw_wire_table(table, style());
     for (std::string& note : notes_on_missing(request_.rows)) script.notes.push_back(std::move(note));
-    if (!shows_sketches()) {
+    if (shows_new_sketches())
+      script.notes.emplace_back(
+          "A solution, and the figures that the plan constructs on its other branches from the values that "
+          "the solution shows.");
+    if (!shows_sketches() && !shows_new_sketches()) {
       std::string note = "One panel a figure up to isometry, with the solutions that are it";
       if (columns.size() > 1) note += "; what is the same figure stands in one line";
       script.notes.push_back(note + ".");
@@ -74,6 +78,7 @@ class FiguresKind {
     try {
       FigurePicture picture = figure_picture_from_json(row->artifact);
       if (shows_sketches()) turn_into_sketch(picture);
+      if (shows_new_sketches()) turn_into_new_sketches(picture);
       return &pictures_.emplace(row, std::move(picture)).first->second;
     } catch (const InputError& error) {
       fail(row->at("problem") + ": " + error.what());
@@ -91,11 +96,26 @@ class FiguresKind {
   }
 
   bool shows_sketches() const { return request_.options.word("show") == "sketch"; }
+  bool shows_new_sketches() const { return request_.options.word("show") == "new_sketches"; }
 
   /// The sketch as the one figure, with parameters by their names alone: it has other values.
   static void turn_into_sketch(FigurePicture& picture) {
     if (picture.sketch.empty()) throw InputError("the method has no sketch");
     picture.figures = {{picture.sketch}};
+    drop_values(picture);
+  }
+
+  /// The first solution and the sketches that come from it.
+  static void turn_into_new_sketches(FigurePicture& picture) {
+    if (picture.figures.empty() || picture.new_sketches.empty())
+      throw InputError("there are no new sketches; plan_exploration makes them, from a first solution");
+    picture.figures.resize(1);
+    for (const FigurePicture::NewSketch& sketch : picture.new_sketches)
+      picture.figures.push_back({sketch.places});
+    drop_values(picture);
+  }
+
+  static void drop_values(FigurePicture& picture) {
     const auto without_value = [](std::string& label) { label = label.substr(0, label.find(' ')); };
     for (WireEdge& edge : picture.wires.edges) without_value(edge.label);
     for (WireAngle& angle : picture.wires.angles) without_value(angle.label);
@@ -110,6 +130,20 @@ class FiguresKind {
     return {line};
   }
 
+  /// Figure number i of each column in line i.
+  static std::vector<AlignedLine> one_by_one(const std::vector<const FigurePicture*>& pictures) {
+    std::vector<AlignedLine> lines;
+    for (std::size_t i = 0;; ++i) {
+      AlignedLine line;
+      for (const FigurePicture* picture : pictures) {
+        const bool has_it = picture != nullptr && i < picture->figures.size();
+        line.push_back(has_it ? std::optional<std::size_t>(i) : std::nullopt);
+      }
+      if (std::ranges::none_of(line, [](const auto& figure) { return figure.has_value(); })) return lines;
+      lines.push_back(std::move(line));
+    }
+  }
+
   /// All figures of one row key.
   WireGroup group_of(const std::vector<std::string>& axes, const AxisKey& line_key,
                      const std::vector<AxisKey>& columns) {
@@ -122,7 +156,9 @@ class FiguresKind {
       rows.push_back(found.empty() ? nullptr : found.front());
       pictures.push_back(picture_of(rows.back()));
     }
-    std::vector<AlignedLine> lines = shows_sketches() ? side_by_side(pictures) : aligned_classes(pictures);
+    std::vector<AlignedLine> lines = shows_sketches()       ? side_by_side(pictures)
+                                     : shows_new_sketches() ? one_by_one(pictures)
+                                                            : aligned_classes(pictures);
     if (lines.empty()) lines.emplace_back(columns.size());
     WireGroup group;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -135,15 +171,19 @@ class FiguresKind {
 
   WireCell cell(const std::optional<std::size_t>& figure, const Row* row, const FigurePicture* picture,
                 bool is_first) const {
-    if (figure)
-      return {.figure = wireframe_at(*picture, *figure),
-              .caption = shows_sketches() ? "" : solutions_text(picture->figures[*figure])};
+    if (figure) return {.figure = wireframe_at(*picture, *figure), .caption = caption_of(*picture, *figure)};
     if (picture != nullptr)
       return {.figure = {}, .words = picture->figures.empty() && is_first ? "no figure" : "–"};
     if (!is_first) return {};
     std::string words = row == nullptr ? "no such job" : outcome_word(*row);
     if (row != nullptr && !row->reason.empty()) words += ": " + row->reason;
     return {.figure = {}, .words = words};
+  }
+
+  std::string caption_of(const FigurePicture& picture, std::size_t figure) const {
+    if (shows_sketches()) return "";
+    if (!shows_new_sketches()) return solutions_text(picture.figures[figure]);
+    return figure == 0 ? "the solution" : picture.new_sketches[figure - 1].origin;
   }
 
   WireTableStyle style() const {
@@ -172,8 +212,10 @@ FigureKind figures_kind() {
             .meaning = "in the plane, write them at edges, angles and objects",
             .default_value = true},
            {.name = "dimensions", .meaning = "write them in space too", .default_value = false},
-           choice_option("show", "the figures that are solutions, or the sketch of a method that has one",
-                         "solutions", {"solutions", "sketch"}),
+           choice_option("show",
+                         "the figures that are solutions, the sketch of a method that has one, or the first "
+                         "solution with the new sketches that a plan makes of it",
+                         "solutions", {"solutions", "sketch", "new_sketches"}),
            integer_option("per_line", "with one column, at most", "", 1, 1, 12),
            view_option("best"),
            width_option("page")},

@@ -117,15 +117,20 @@ Json to_json(const FigurePicture& picture) {
     classes.push_back(
         {{"points", figure.places}, {"solutions", figure.solutions}, {"certified", figure.is_certified}});
   }
-  return {{"figures",
-           {{"names", wires.names},
-            {"edges", std::move(edges)},
-            {"faces", wires.faces},
-            {"angles", std::move(angles)},
-            {"objects", std::move(objects)},
-            {"measures", std::move(measures)},
-            {"classes", std::move(classes)},
-            {"sketch", picture.sketch}}}};
+  Json new_sketches = Json::array();
+  for (const FigurePicture::NewSketch& sketch : picture.new_sketches)
+    new_sketches.push_back({{"origin", sketch.origin}, {"points", sketch.places}});
+  Json result = {{"figures",
+                  {{"names", wires.names},
+                   {"edges", std::move(edges)},
+                   {"faces", wires.faces},
+                   {"angles", std::move(angles)},
+                   {"objects", std::move(objects)},
+                   {"measures", std::move(measures)},
+                   {"classes", std::move(classes)},
+                   {"sketch", picture.sketch}}}};
+  if (!new_sketches.empty()) result["figures"]["new_sketches"] = std::move(new_sketches);
+  return result;
 }
 
 FigurePicture figure_picture_from_json(const Json& json) {
@@ -149,6 +154,12 @@ FigurePicture figure_picture_from_json(const Json& json) {
     for (const Json& figure : figures.at("classes")) picture.figures.push_back(figure_from(figure, wires));
     picture.sketch = figures.at("sketch").get<Figure>();
     if (!picture.sketch.empty()) check_places(picture.sketch, wires);
+    if (!figures.contains("new_sketches")) return picture;
+    for (const Json& sketch : figures.at("new_sketches")) {
+      picture.new_sketches.push_back(
+          {sketch.at("origin").get<std::string>(), sketch.at("points").get<Figure>()});
+      check_places(picture.new_sketches.back().places, wires);
+    }
     return picture;
   } catch (const Json::exception& error) {
     throw InputError(std::string("no drawing of figures: ") + error.what());

@@ -21,6 +21,12 @@ struct FigurePicture {
   Wireframe wires;  ///< without coordinates
   std::vector<PicturedFigure> figures;
   Figure sketch{};  ///< places of a sketch in the frame; empty: none
+  /// Sketches that the branches of a plan give from the first solution.
+  struct NewSketch {
+    std::string origin;
+    Figure places;
+  };
+  std::vector<NewSketch> new_sketches{};
 };
 
 FigurePicture figure_picture(const GeometricSource& source, const SearchResult& found);
@@ -31,7 +37,8 @@ bool is_flat(const Figure& figure);
 
 /// {"figures": {"names", "edges": [{"from", "to", "label", "guide"}], "faces", "angles", "objects": [{"name",
 /// "sort"}], "measures": [{"kind", "objects", "label"}], "classes": [{"points", "solutions", "certified"}],
-/// "sketch"}}; "points" and "sketch" are the places.
+/// "sketch", "new_sketches": [{"origin", "points"}]}}; "points" and "sketch" are the places; "new_sketches"
+/// where there are any.
 nlohmann::ordered_json to_json(const FigurePicture& picture);
 /// The inverse. Throws InputError when the JSON is no such thing.
 FigurePicture figure_picture_from_json(const nlohmann::ordered_json& json);

@@ -176,7 +176,7 @@ class BranchTree {
 
 // ---- a path from branch to branch (figure 4.8) ----
 
-constexpr double kFineMesh = 1e-3;  // in sizes of the sketch
+constexpr double kFineMesh = 2e-4;  // in sizes of the sketch
 
 Drawn guide_path(const std::filesystem::path& path, const Options&) {
   PlanPathView view(path);
@@ -375,7 +375,7 @@ Drawn border_crossing(const std::filesystem::path& path, const Options& options)
 Drawn simplices_across(const std::filesystem::path& path, const Options& options) {
   PlanPathView view(path);
   const auto change = static_cast<std::size_t>(options.integer("change"));
-  const std::vector<DrawnSimplex> simplices = view.simplices_around(change, options.real("mesh"), 9, 4);
+  const std::vector<DrawnSimplex> simplices = view.simplices_around(change, options.real("mesh"), 14, 4);
   std::vector<GuideLine> corners;
   for (const DrawnSimplex& simplex : simplices)
     corners.emplace_back(simplex.corners.begin(), simplex.corners.end());

@@ -1,8 +1,10 @@
 #include "experiments/tasks/plan_path_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 #include "base/error.h"
@@ -131,7 +133,7 @@ PlanPathView::Followed PlanPathView::follow(double mesh) {
   options.mesh = mesh;
   const PlanSimplexPath found =
       follow_plan_simplices(*map_, start, options, {}, [&](const PassedSimplex& simplex) {
-        const Seen here = {point_of(simplex.on_curve), simplex.curve_branch};
+        const Seen here = {point_of(simplex.on_curve), simplex.branch};
         if (simplex.direction > 0) {
           seen.push_back(here);
         } else {
@@ -142,19 +144,33 @@ PlanPathView::Followed PlanPathView::follow(double mesh) {
   result.sketch = sketch;
   result.simplices = found.simplices;
   result.is_cycle = found.end == PathEnd::cycle;
-  for (const BranchCrossing& crossing : found.crossings) result.crossings.push_back(point_of(crossing.v));
-  for (const Seen& here : seen) {
-    if (result.arcs.empty() || result.arcs.back().branch != here.branch) {
-      BranchArc arc{here.branch, {}};
-      if (!result.arcs.empty()) {  // arcs meet on the border, between two points
-        GuidePoint& last = result.arcs.back().points.back();
-        const GuidePoint middle = {(last[0] + here.point[0]) / 2, (last[1] + here.point[1]) / 2};
-        result.arcs.back().points.push_back(middle);
-        arc.points.push_back(middle);
-      }
-      result.arcs.push_back(std::move(arc));
+  if (result.simplices < 2) throw NotApplicable("the path cannot be followed: " + found.failure);
+  // The follower changes its branch a little after the border, where the height that changes its sign is 0.
+  std::vector<std::size_t> firsts;
+  const auto border_index = [&](std::size_t k) {
+    constexpr std::size_t kNear = 20;
+    const Branch &before = seen[k - 1].branch, &after = seen[k].branch;
+    const auto choice = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
+    const auto height = [&](std::size_t number) {
+      return is_inside(before, seen[number].point) ? std::abs(map_->heights()[choice])
+                                                   : std::numeric_limits<double>::infinity();
+    };
+    std::size_t best = k;
+    const std::size_t least = firsts.back() + 1;
+    for (std::size_t i = std::max(least, k - std::min(k, kNear)); i < std::min(seen.size(), k + kNear); ++i) {
+      if (height(i) < height(best)) best = i;
     }
-    result.arcs.back().points.push_back(here.point);
+    return best;
+  };
+  for (const BranchCrossing& crossing : found.crossings) result.crossings.push_back(point_of(crossing.v));
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (k > 0 && seen[k].branch == seen[k - 1].branch) continue;
+    result.arcs.push_back({seen[k].branch, {}});
+    firsts.push_back(k == 0 ? 0 : border_index(k));
+  }
+  firsts.push_back(seen.size() - 1);
+  for (std::size_t a = 0; a < result.arcs.size(); ++a) {
+    for (std::size_t k = firsts[a]; k <= firsts[a + 1]; ++k) result.arcs[a].points.push_back(seen[k].point);
   }
   return result;
 }
@@ -167,7 +183,7 @@ std::vector<DrawnSimplex> PlanPathView::simplices_around(std::size_t change, dou
   std::stop_source stop;
   PlanSimplexOptions options;
   options.mesh = mesh;
-  follow_plan_simplices(*map_, homotopy_->start(), options, stop.get_token(), [&](const PassedSimplex& seen) {
+  const auto keep = [&](const PassedSimplex& seen) {
     if (last && *last != seen.branch) ++changes;
     last = seen.branch;
     if (changes > change && wanted_after-- == 0) {
@@ -191,7 +207,12 @@ std::vector<DrawnSimplex> PlanPathView::simplices_around(std::size_t change, dou
         simplex.border->push_back(point_of({c * n[0] + side * n[1], c * n[1] - side * n[0]}));
     }
     if (changes <= change && simplices.size() > before) simplices.pop_front();
-  });
+  };
+  const PlanSimplexPath found =
+      follow_plan_simplices(*map_, homotopy_->start(), options, stop.get_token(), keep);
+  if (changes <= change)
+    throw NotApplicable(fmt::format("the path changes its branch {} times{}", changes,
+                                    found.failure.empty() ? "" : ": " + found.failure));
   return {simplices.begin(), simplices.end()};
 }
 

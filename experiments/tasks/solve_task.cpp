@@ -11,6 +11,8 @@
 #include "experiments/tasks/job_result.h"
 #include "experiments/tasks/packing_drawing.h"
 #include "experiments/tasks/stopwatch.h"
+#include "geometry/congruence.h"
+#include "geometry/sketch.h"
 
 namespace gcslab {
 
@@ -86,6 +88,14 @@ void add_geometry(const SolveSettings& settings, const SolveOutcome& found, JobR
   add_class_values(picture, result);
   if (has_option(settings.options, "random_sketch"))
     picture.sketch = in_frame(source.system, source.frame, sketch_source(settings).sketch);
+  if (found.plan) {
+    for (const PlanReport::NewFigure& sketch : found.plan->new_sketches) {
+      if (is_frame_flat(source.frame, sketch.figure)) continue;
+      picture.new_sketches.push_back(
+          {sketch.origin, reflected_upright(in_frame(source.system, source.frame, sketch.figure),
+                                            source.equations.sorts, source.frame)});
+    }
+  }
   result.artifact = to_json(picture);
   if (found.plan) {
     add_plan_values(*found.plan, result);

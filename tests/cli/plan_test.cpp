@@ -52,7 +52,9 @@ TEST_F(PlanMethods, ExploreFromThePentahedronsSketch) {
 TEST_F(PlanMethods, TellTheStepsOfThePlan) {
   for (const char* kind : {"least", "henneberg", "gao", "forward"}) {
     const Json plan =
-        solved(std::string("polyhedra/pentahedron --method plan_path --set plan=") + kind)["plan"];
+        solved("polyhedra/pentahedron --method plan_exploration --set maximum_paths=1 --set plan=" +
+                   std::string(kind),
+               3)["plan"];
     std::set<std::string> placed, guides;
     std::size_t choices = 0;
     for (const Json& step : plan["steps"]) {
