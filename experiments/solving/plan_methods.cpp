@@ -171,10 +171,11 @@ SolveOutcome follow_branches(const SystemFunctions& functions, const SolveSettin
   Branched branched(given, options);
   PlanCurve& curve = branched.homotopy.curve();
   const double extent = branched.sketched.extent();
+  const bool is_to_first_crossing = options.word("until") == "first_crossing";
   const PlanSimplexPath found = follow_plan_simplices(
       branched.map, branched.homotopy.start(),
       {options.real("mesh"), options.real("infinity") * extent / branched.sketched.unit(),
-       static_cast<std::uint64_t>(options.integer("maximum_simplices"))},
+       static_cast<std::uint64_t>(options.integer("maximum_simplices")), is_to_first_crossing},
       stop);
   Path path;
   path.end = found.end;
@@ -188,9 +189,12 @@ SolveOutcome follow_branches(const SystemFunctions& functions, const SolveSettin
   }
   FollowedPath followed{solutions_of(std::move(path), curve, functions, options.word("certifier")), {}};
   followed.explanation.end = followed.explanation.other_end = found.failure;
-  SolveOutcome outcome = outcome_of(std::move(followed), false);
+  SolveOutcome outcome = outcome_of(std::move(followed), is_to_first_crossing);
   outcome.plan = report_with_escapes(branched.homotopy.program().plan(), given.system);
   outcome.plan->branch_changes = found.changes.size();
+  if (found.length > 0)
+    outcome.plan->simplices_per_edge =
+        static_cast<double>(found.simplices) * options.real("mesh") / found.length;
   return outcome;
 }
 
@@ -330,6 +334,7 @@ std::vector<SolveMethod> plan_methods() {
           "(Imbach 2013, section 4.3)",
           branch_options({real_option("mesh", "edges of the simplices along the axes",
                                       "in sizes of the sketch and t", 1e-2, 1e-9, 1),
+                          choice_option("until", "where the path is left", "end", {"end", "first_crossing"}),
                           real_option("infinity", "where a path is given up as going there",
                                       "sizes of the sketch", 1e5, 10, 1e12),
                           integer_option("maximum_simplices", "work budget", "simplices", 10'000'000, 1,

@@ -76,6 +76,7 @@ void add_plan_values(const PlanReport& plan, JobResult& result) {
   result.values["choices"] = plan.choices;
   if (plan.sketches) result.values["sketches"] = *plan.sketches;
   if (plan.branch_changes) result.values["branch_changes"] = *plan.branch_changes;
+  if (plan.simplices_per_edge) result.values["simplices_per_edge"] = *plan.simplices_per_edge;
 }
 
 bool has_option(const Options& options, const std::string& name) { return options.values().contains(name); }
@@ -160,6 +161,8 @@ std::vector<ValueInfo> SolveTask::values() const {
       {"choices", "steps of a construction plan with two places", "choices"},
       {"sketches", "that the branches of a plan gave, the user's included", "sketches"},
       {"branch_changes", "of a path from one branch of a plan to another", "changes"},
+      {"simplices_per_edge", "simplices on a path as long as one of their edges along an axis, in the mean",
+       "simplices"},
       {"step_s", "median wall time of a step of a path", "s"},
       {"path_type", "how a path ended: cycle, to_infinity, to_undefined, budget"},
       {"other_end", "the same of its other direction"},

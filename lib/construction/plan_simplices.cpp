@@ -78,6 +78,7 @@ class Follower {
         length_ += travelled;
         path_.length += travelled;
         here_ = next;
+        if (options_->is_to_first_crossing && !path_.crossings.empty()) return PathEnd::budget;
         if (is_back) return PathEnd::cycle;
         if (norm(here_) > options_->infinity) return PathEnd::to_infinity;
       }

@@ -21,6 +21,7 @@ struct PlanSimplexOptions {
   double mesh = 1e-3;
   double infinity = 1e5;
   std::uint64_t maximum_simplices = 10'000'000;
+  bool is_to_first_crossing = false;
 };
 
 /// A point of the path on a branch.
