@@ -176,11 +176,12 @@ class BranchTree {
 
 // ---- a path from branch to branch (figure 4.8) ----
 
-constexpr double kFineMesh = 2e-4;  // in sizes of the sketch
+// In sizes of the sketch; where the path touches a border, simplices show as steps.
+constexpr double kMesh = 1e-3, kFineMesh = 3e-4;
 
 Drawn guide_path(const std::filesystem::path& path, const Options&) {
   PlanPathView view(path);
-  const PlanPathView::Followed followed = view.follow(kFineMesh);
+  const PlanPathView::Followed followed = view.follow(kMesh);
   std::vector<GuideLine> lines;
   for (const BranchArc& arc : followed.arcs) lines.push_back(arc.points);
   const GuideRange range = range_of(lines, 0.06);

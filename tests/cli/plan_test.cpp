@@ -59,18 +59,19 @@ TEST_F(PlanMethods, TellTheStepsOfThePlan) {
     std::size_t choices = 0;
     for (const Json& step : plan["steps"]) {
       EXPECT_EQ(step["loci"].size(), std::min<std::size_t>(placed.size(), 3)) << kind;
-      std::string line = step["object"].get<std::string>() + " = ";
+      const auto text = plan["text"][placed.size()].get<std::string>();
+      const std::string line = step["object"].get<std::string>() + " = ";
       for (const Json& locus : step["loci"]) {
         for (const Json& point : locus["of"]) EXPECT_TRUE(placed.contains(point)) << kind << point;
-        if (locus.contains("guide")) EXPECT_TRUE(guides.insert(locus["value"]).second) << kind;
-        if (locus["kind"] == "sphere")
-          EXPECT_NE(
-              plan["text"][placed.size()].get<std::string>().find(
-                  "sphere(" + locus["of"][0].get<std::string>() + ", " + locus["value"].get<std::string>()),
-              std::string::npos);
+        const std::string value = locus.value("value", "");
+        const bool is_guide = locus.value("guide", false);
+        EXPECT_TRUE(!is_guide || guides.insert(value).second) << kind << ": " << value;
+        if (locus["kind"] != "sphere") continue;
+        const std::string sphere = "sphere(" + locus["of"][0].get<std::string>() + ", " + value + ")";
+        EXPECT_NE(text.find(sphere), std::string::npos) << text;
       }
-      EXPECT_EQ(plan["text"][placed.size()].get<std::string>().rfind(line, 0), 0U);
-      choices += step["places"] == 2 ? 1 : 0;
+      EXPECT_EQ(text.rfind(line, 0), 0U) << text;
+      choices += step["places"] == 2 ? 1U : 0U;
       placed.insert(step["object"]);
     }
     EXPECT_EQ(placed.size(), 6U);

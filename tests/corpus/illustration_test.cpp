@@ -1,5 +1,6 @@
 // What the drawings of the task `illustrate` compute is what their sources print.
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -62,6 +63,51 @@ TEST(Illustration, TheCombinationHasThePublishedMultiplier) {
                       "multiplier");
 }
 
+/// The octahedron's path comes back, and crosses t = 1 at its four figures.
+TEST(Illustration, TheGuidePathIsClosedAndHasTheFiguresOnIt) {
+  const JobResult result = drawn("polyhedra/octahedron", "guide_path");
+  EXPECT_EQ(result.values["crossings"], 4);
+  EXPECT_EQ(result.values["branch_changes"].get<int>() % 2, 0);
+  const Json shapes = result.artifact["panels"][0]["shapes"];
+  std::vector<Json> arcs;
+  for (const Json& shape : shapes) {
+    if (shape["kind"] == "polyline") arcs.push_back(shape["points"]);
+  }
+  ASSERT_EQ(arcs.size(), result.values["branch_changes"].get<std::size_t>() + 1);
+  for (std::size_t k = 1; k < arcs.size(); ++k) EXPECT_EQ(arcs[k].front(), arcs[k - 1].back());
+  for (const std::size_t axis : {0U, 1U})
+    EXPECT_NEAR(arcs.front().front()[axis].get<double>(), arcs.back().back()[axis].get<double>(), 2e-3);
+}
+
+/// The circles in which a plane through both places of a point cuts the spheres all pass through the point.
+TEST(Illustration, TheSpheresAtAChangeOfBranchMeetInThePoint) {
+  const Json panels = drawn("polyhedra/octahedron", "border_crossing", {{"change", "2"}, {"reach", "0.2"}})
+                          .artifact["panels"];
+  ASSERT_EQ(panels.size(), 4U);
+  std::vector<double> heights;
+  for (std::size_t k = 1; k < 4; ++k) {
+    const Json shapes = panels[k]["shapes"];
+    std::size_t circles = 0;
+    for (const Json& shape : shapes) {
+      if (shape["kind"] == "points") heights.push_back(shape["points"][0][1].get<double>());
+    }
+    ASSERT_EQ(heights.size(), k);
+    for (const Json& shape : shapes) {
+      if (shape["kind"] != "polyline") continue;
+      ++circles;
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const Json& point : shape["points"]) {
+        low = std::min(low, point[0].get<double>());
+        high = std::max(high, point[0].get<double>());
+      }
+      EXPECT_NEAR(std::hypot((low + high) / 2, heights.back()), (high - low) / 2, 1e-9);
+    }
+    EXPECT_EQ(circles, 3U);
+  }
+  EXPECT_LT(heights[0] * heights[2], 0);  // on the other side after the change
+  EXPECT_LT(std::abs(heights[1]), 0.2 * std::abs(heights[0]));
+}
+
 /// Every number of a drawing is finite, and every panel has shapes.
 TEST(Illustration, DrawingsAreWhole) {
   const std::vector<std::pair<std::string, std::string>> drawings = {
@@ -74,7 +120,11 @@ TEST(Illustration, DrawingsAreWhole) {
       {"illustrations/biquadratic", "control_point_projection"},
       {"illustrations/two-lines", "preconditioning"},
       {"illustrations/two-curves", "preconditioning"},
-      {"illustrations/equation-and-inequality", "positive_combination"}};
+      {"illustrations/equation-and-inequality", "positive_combination"},
+      {"polyhedra/pentahedron", "branch_tree"},
+      {"polyhedra/octahedron", "guide_path"},
+      {"polyhedra/octahedron", "border_crossing"},
+      {"polyhedra/octahedron", "simplices_across"}};
   for (const auto& [problem, method] : drawings) {
     const Json panels = drawn(problem, method).artifact["panels"];
     ASSERT_GE(panels.size(), 1U) << problem;
@@ -93,6 +143,10 @@ TEST(Illustration, WhatDoesNotApplyIsSaid) {
   EXPECT_THROW(drawn("illustrations/exponential", "lp_reduction_steps"), NotApplicable);
   EXPECT_THROW(drawn("illustrations/product", "bernstein_simplex"), NotApplicable);
   EXPECT_THROW(drawn("illustrations/square", "preconditioning"), NotApplicable);
+  EXPECT_THROW(drawn("polyhedra/icosahedron", "guide_path"), NotApplicable);  // three guides
+  EXPECT_THROW(drawn("polyhedra/octahedron", "border_crossing", {{"change", "100"}}), NotApplicable);
+  EXPECT_THROW(drawn("polyhedra/octahedron", "simplices_across", {{"change", "100"}, {"mesh", "0.005"}}),
+               NotApplicable);
 }
 
 }  // namespace

@@ -88,6 +88,54 @@ TEST(PlanSimplices, FollowTheOctahedronsPathFromBranchToBranch) {
   }
 }
 
+/// Each simplex shares a face with the one before it, or is the mirror image of its neighbour on a new
+/// branch.
+TEST(PlanSimplices, TellWhatTheyPass) {
+  Planned octahedron("polyhedra/octahedron");
+  constexpr double kMesh = 0.005;
+  std::vector<std::vector<double>> before;
+  Branch branch;
+  std::size_t told = 0, changes = 0, across = 0;
+  const auto watch = [&](const PassedSimplex& simplex) {
+    ++told;
+    EXPECT_EQ(simplex.direction, 1);
+    const bool is_whole = std::ranges::count(simplex.is_inside, true) == 3;
+    across += is_whole ? 0 : 1;
+    EXPECT_EQ(simplex.border.has_value(), !is_whole);
+    if (is_whole) {
+      EXPECT_EQ(simplex.exit, simplex.on_curve);
+      EXPECT_EQ(simplex.curve_branch, simplex.branch);
+    }
+    if (told > 1 && branch == simplex.branch) {
+      EXPECT_EQ(std::ranges::count_if(simplex.vertices,
+                                      [&](const auto& v) { return std::ranges::count(before, v) > 0; }),
+                2);
+    } else if (told > 1) {
+      ++changes;
+    }
+    before = simplex.vertices;
+    branch = simplex.branch;
+  };
+  const PlanSimplexPath path =
+      follow_plan_simplices(octahedron.map, octahedron.plan.start(), {.mesh = kMesh}, {}, watch);
+  EXPECT_EQ(path.end, PathEnd::cycle);
+  EXPECT_EQ(told, path.simplices);
+  EXPECT_EQ(changes, path.changes.size());
+  EXPECT_GT(across, changes);
+}
+
+TEST(PlanSimplices, StopAtTheFirstCrossingWhereAsked) {
+  Planned octahedron("polyhedra/octahedron");
+  PlanSimplexOptions options{.mesh = 0.005};
+  const PlanSimplexPath whole = follow_plan_simplices(octahedron.map, octahedron.plan.start(), options);
+  options.is_to_first_crossing = true;
+  const PlanSimplexPath first = follow_plan_simplices(octahedron.map, octahedron.plan.start(), options);
+  ASSERT_EQ(first.crossings.size(), 1U);
+  EXPECT_EQ(first.crossings[0].v, whole.crossings[0].v);
+  EXPECT_LT(first.simplices, whole.simplices);
+  EXPECT_LT(std::abs(first.length - first.crossings[0].length), 4 * options.mesh);
+}
+
 TEST(PlanSimplices, SayWhyAChangeOfBranchFails) {
   Planned disulfide("molecules/disulfide-distances");
   const PlanSimplexPath path = follow_plan_simplices(disulfide.map, disulfide.plan.start(), {.mesh = 0.01});

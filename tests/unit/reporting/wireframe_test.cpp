@@ -256,5 +256,20 @@ TEST(Figures, SketchesStandSideBySide) {
   EXPECT_TRUE(has(script.commands(), "'c'")) << "parameters without values";
 }
 
+TEST(Figures, NewSketchesStandBesideTheSolutionThatTheyComeFrom) {
+  FigurePicture picture = sample_picture();
+  picture.new_sketches = {{"branch +-", {{0, 0}, {5, 0}, {4, 3}}}, {"branch -+", {{0, 0}, {5, 0}, {4, -3}}}};
+  ReportItem item = figures_item();
+  set_option(item, "show", "new_sketches");
+  set_option(item, "per_line", "3");
+  const FigureScript script = draw_figure(item, sample_context({figures_row("m", picture)}));
+  EXPECT_TRUE(has(script.data(), "line 1, column 3")) << script.data();
+  EXPECT_TRUE(has(script.commands(), "the solution") && has(script.commands(), "branch +-") &&
+              has(script.commands(), "branch -+"));
+  EXPECT_TRUE(has(script.commands(), "'c'")) << "parameters without values";
+  const auto without = [&] { draw_figure(item, sample_context({figures_row("m", sample_picture())})); };
+  EXPECT_TRUE(has(error_text(without), "no new sketches"));
+}
+
 }  // namespace
 }  // namespace gcslab
