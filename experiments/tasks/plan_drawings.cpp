@@ -376,7 +376,7 @@ Drawn border_crossing(const std::filesystem::path& path, const Options& options)
 Drawn simplices_across(const std::filesystem::path& path, const Options& options) {
   PlanPathView view(path);
   const auto change = static_cast<std::size_t>(options.integer("change"));
-  const std::vector<DrawnSimplex> simplices = view.simplices_around(change, options.real("mesh"), 14, 4);
+  const std::vector<DrawnSimplex> simplices = view.simplices_around(change, options.real("mesh"), 24, 4);
   std::vector<GuideLine> corners;
   for (const DrawnSimplex& simplex : simplices)
     corners.emplace_back(simplex.corners.begin(), simplex.corners.end());
