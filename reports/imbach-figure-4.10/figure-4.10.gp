@@ -24,21 +24,21 @@ set label 't' at screen 0.02381,0.52121 center rotate by 90 font ',7' tc rgb '#2
 set lmargin at screen 0.14286; set rmargin at screen 0.96429
 set bmargin at screen 0.10303; set tmargin at screen 0.93939
 unset logscale x
-set xrange [2.2643478662955903:2.3046646163456166]
-set xtics ('2.28' 2.28, '2.30' 2.3)
+set xrange [2.253284945334029:2.305484091972399]
+set xtics ('2.26' 2.26, '2.28' 2.28, '2.30' 2.3)
 unset logscale y
-set yrange [1.7731538802698:1.8518410745889766]
-set ytics ('1.78' 1.78, '1.80' 1.8, '1.82' 1.82, '1.84' 1.84)
+set yrange [1.7345909111094078:1.8546975908230798]
+set ytics ('1.75' 1.75, '1.80' 1.8, '1.85' 1.85)
 set border 3; set tics scale 0.4,0.2
 plot \
   data index 0 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
   data index 0 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
   data index 1 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
   data index 1 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
-  data index 2 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
-  data index 2 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
-  data index 3 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
-  data index 3 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 2 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#EFEFEF', \
+  data index 2 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
+  data index 3 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#EFEFEF', \
+  data index 3 using 1:2 with lines lw 0.4 dt 1 lc rgb '#505050', \
   data index 4 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
   data index 4 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
   data index 5 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
@@ -59,19 +59,39 @@ plot \
   data index 12 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
   data index 13 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
   data index 13 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
-  data index 14 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
-  data index 14 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
-  data index 15 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
-  data index 15 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
-  data index 16 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
-  data index 16 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
-  data index 17 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
-  data index 17 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
-  data index 18 using 1:2 with lines lw 0.6 dt 2 lc rgb '#D55E00', \
-  data index 19 using 1:2 with lines lw 1.2 dt 1 lc rgb '#000000', \
-  data index 20 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
-  data index 21 using 1:2 with lines lw 0.5 dt 2 lc rgb '#0072B2', \
-  data index 22 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00'
+  data index 14 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 14 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 15 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 15 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 16 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 16 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 17 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 17 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 18 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 18 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 19 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 19 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 20 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 20 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 21 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 21 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 22 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 22 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 23 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#F7DCC8', \
+  data index 23 using 1:2 with lines lw 1.2 dt 1 lc rgb '#D55E00', \
+  data index 24 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
+  data index 24 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
+  data index 25 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
+  data index 25 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
+  data index 26 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
+  data index 26 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
+  data index 27 using 1:2 with filledcurves closed fs solid 1 noborder lc rgb '#E8F1F8', \
+  data index 27 using 1:2 with lines lw 0.1 dt 1 lc rgb '#0072B2', \
+  data index 28 using 1:2 with lines lw 0.6 dt 2 lc rgb '#D55E00', \
+  data index 29 using 1:2 with lines lw 1.2 dt 1 lc rgb '#000000', \
+  data index 30 using 1:2 with lines lw 1.2 dt 1 lc rgb '#0072B2', \
+  data index 31 using 1:2 with lines lw 0.5 dt 2 lc rgb '#0072B2', \
+  data index 32 using 1:2 with points pt 7 ps 0.6 lc rgb '#D55E00'
 unset label; unset arrow
 unset multiplot
 unset output
