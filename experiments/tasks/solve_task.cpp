@@ -1,6 +1,7 @@
 #include "experiments/tasks/solve_task.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/corpus/problem_loader.h"
 #include "experiments/solving/figure_picture.h"
@@ -76,7 +77,9 @@ void add_plan_values(const PlanReport& plan, JobResult& result) {
   result.values["choices"] = plan.choices;
   if (plan.sketches) result.values["sketches"] = *plan.sketches;
   if (plan.branch_changes) result.values["branch_changes"] = *plan.branch_changes;
-  if (plan.simplices_per_edge) result.values["simplices_per_edge"] = *plan.simplices_per_edge;
+  // Rounded: the length of a path is a sum of doubles, and values are compared exactly.
+  if (plan.simplices_per_edge)
+    result.values["simplices_per_edge"] = std::round(1000 * *plan.simplices_per_edge) / 1000;
 }
 
 bool has_option(const Options& options, const std::string& name) { return options.values().contains(name); }
