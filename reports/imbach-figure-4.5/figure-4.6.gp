@@ -1,4 +1,4 @@
-# New sketches from the first solution (figure 4.6)
+# The first solution and the new sketches from it (figure 4.6, which has four, mirror images included: two up to isometry, one of them the solution)
 # Written by gcslab report. To draw it again after a change:
 #   gnuplot -e 'format="svg"' figure-4.6.gp
 # Line widths and font sizes are points, as printed at the figure's own size.
