@@ -1,11 +1,13 @@
 // Whole homotopy paths of sketches, as `sketch_path/<problem>/<tracker>`: followed to the end, every crossing
 // of t = 1 polished, regular ones certified, solutions told apart. `usual` is the tracker of the method
 // sketch_path, `as_published` that of sketch_path_as_published. Counters: solutions, steps and time a step
-// (all of the time divided by steps). `published_ratio/<problem>` runs both in turn; its counter `ratio` says
-// how many times faster the usual tracker is. `tracker_step/<problem>` is the following alone, without
-// certificates; `tracker_step/<family>/<size>/dense` or `sparse` the first steps of a figure of that size
-// (unknowns: a counter), and `bordered_matrix/...` one factorisation and solution there.
+// (all of the time divided by steps). `sketch_path/<problem>/random` is `usual` from 20 random sketches, one
+// after the other: its counters are medians over them. `published_ratio/<problem>` runs both trackers in turn;
+// its counter `ratio` says how many times faster the usual one is. `tracker_step/<problem>` is the following
+// alone, without certificates; `tracker_step/<family>/<size>/dense` or `sparse` the first steps of a figure of
+// that size (unknowns: a counter), and `bordered_matrix/...` one factorisation and solution there.
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
 
@@ -32,14 +34,22 @@ TrackerOptions as_published() {
   return options;
 }
 
-/// A problem with the homotopy of its sketch.
+ConstraintSystem with_random_sketch(ConstraintSystem system, std::uint64_t seed) {
+  system.sketch.reset();
+  system.random_sketch = seed;
+  return system;
+}
+
+/// A problem with the homotopy of its sketch, or of a random one.
 struct Sketched {
-  explicit Sketched(const std::string& name)
-      : problem(load_system(name)),
+  explicit Sketched(const std::string& name) : Sketched(load_system(name), std::nullopt) {}
+  Sketched(Problem given, std::optional<std::uint64_t> seed)
+      : problem(std::move(given)),
         functions(problem.system),
         homotopy(problem.geometry->system, problem.geometry->frame, problem.geometry->equations,
                  values_of(problem.geometry->system.valuation(problem.geometry->valuation)),
-                 *sketch_of(problem.geometry->system)) {}
+                 *sketch_of(seed ? with_random_sketch(problem.geometry->system, *seed)
+                                 : problem.geometry->system)) {}
 
   Problem problem;
   SystemFunctions functions;
@@ -65,6 +75,35 @@ void sketch_path(benchmark::State& state, const std::string& name, bool is_publi
                              options, kCertifier);
   }
   count(state, found.solutions.size(), found.path.steps);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+void random_sketches(benchmark::State& state, const std::string& name) {
+  constexpr std::uint64_t kSketches = 20;
+  std::vector<std::unique_ptr<Sketched>> sketches;
+  for (std::uint64_t seed = 1; seed <= kSketches; ++seed)
+    sketches.push_back(std::make_unique<Sketched>(load_system(name), seed));
+  std::vector<double> times, solutions, steps;
+  for (auto _ : state) {
+    times.clear(), solutions.clear(), steps.clear();
+    for (const auto& sketched : sketches) {
+      const auto start = std::chrono::steady_clock::now();
+      Curve& curve = sketched->homotopy.curve();
+      const SketchSolutions found = solve_along_path(
+          sketched->homotopy.curve(), curve, sketched->homotopy.start(), sketched->functions, {}, kCertifier);
+      times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      solutions.push_back(static_cast<double>(found.solutions.size()));
+      steps.push_back(static_cast<double>(found.path.steps));
+    }
+  }
+  state.counters["median_ms"] = 1000 * median(times);
+  state.counters["most_ms"] = 1000 * std::ranges::max(times);
+  state.counters["solutions"] = median(solutions);
+  state.counters["steps"] = median(steps);
 }
 
 void published_ratio(benchmark::State& state, const std::string& name) {
@@ -159,6 +198,7 @@ void add_family(const std::string& family, std::initializer_list<int> sizes) {
         [name](benchmark::State& state) { sketch_path(state, name, false); });
     add("tracker_step/" + name, [name](benchmark::State& state) { tracker_step(state, name); });
     if (name == "polyhedra/icosahedron") continue;  // hours
+    add("sketch_path/" + name + "/random", [name](benchmark::State& state) { random_sketches(state, name); });
     add("sketch_path/" + name + "/as_published",
         [name](benchmark::State& state) { sketch_path(state, name, true); });
     add("published_ratio/" + name, [name](benchmark::State& state) { published_ratio(state, name); });

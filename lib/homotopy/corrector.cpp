@@ -34,7 +34,7 @@ Correction Corrector::correct(const CurvePoint& here, const BorderedMatrix& at_h
 Correction Corrector::iterate(const CurvePoint& here, const BorderedMatrix* at_here, double step,
                               std::vector<double>& v) {
   constexpr double kLargestRate = 0.5;
-  constexpr double kOfStep = 0.01;
+  constexpr double kOfStep = 0.01, kOfStepPolished = 0.0002;
   constexpr double kRounding = 1e-14;
   Correction result;
   double before = 0;
@@ -58,7 +58,9 @@ Correction Corrector::iterate(const CurvePoint& here, const BorderedMatrix* at_h
     if (!std::isfinite(change) || result.rate > kLargestRate) break;
     for (std::size_t i = 0; i < v.size(); ++i) v[i] -= change_[i];
     const double size = 1 + largest(v);
-    const double tolerance = std::max(std::min(options_.tolerance * size, kOfStep * step), kRounding * size);
+    double tolerance = std::max(std::min(options_.tolerance * size, kOfStep * step), kRounding * size);
+    if (options_.is_polished_after)
+      tolerance = std::max(tolerance, std::min(std::sqrt(tolerance * step / rate), kOfStepPolished * step));
     // What is left is at most a geometric series. One small change alone says little: beyond a sharp turn all
     // are small, and none leads to the curve.
     if (change <= kRounding * size || (rate < 1 && change * rate <= (1 - rate) * tolerance)) return result;

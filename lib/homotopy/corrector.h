@@ -26,6 +26,10 @@ struct CorrectorOptions {
   /// coordinate; at most a hundredth of the step.
   double tolerance = 1e-6;
   int iterations = 8;
+  /// One change of Newton's method follows, with the matrix of where the correction ends: the tolerance is for
+  /// what that leaves, about rate / step times the square of what is left before; that is at most 0.0002
+  /// of the step.
+  bool is_polished_after = false;
 };
 
 /// How a correction went.

@@ -16,8 +16,9 @@ class MooreSystem {
     z_.head(m_ + 1) = Eigen::Map<const Eigen::VectorXd>(v0.data(), m_ + 1);
     is_defined_ = evaluate(z_.head(m_ + 1));
     if (!is_defined_) return;
-    z_.segment(m_ + 1, m_) =
-        Eigen::BDCSVD<Eigen::MatrixXd>(jacobian(), Eigen::ComputeThinU).matrixU().col(m_ - 1);
+    // The last left singular vector; half of the digits do for a start.
+    const Eigen::MatrixXd squared = jacobian() * jacobian().transpose();
+    z_.segment(m_ + 1, m_) = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(squared).eigenvectors().col(0);
     z_[2 * m_ + 1] = 0;
   }
 

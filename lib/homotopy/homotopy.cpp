@@ -87,8 +87,7 @@ bool Homotopy::evaluate(Equation& equation) {
 
 bool Homotopy::values(std::span<const double> v, std::span<double> result) {
   move_to(v);
-  std::ranges::fill(result, 0.0);
-  forms_.add_values(x_, result);
+  forms_.values(x_, result);
   for (Equation& equation : equations_) {
     if (!evaluate(equation)) return false;
     result[equation.row] = weights_[equation.row] * equation.evaluator->value();
@@ -99,11 +98,11 @@ bool Homotopy::values(std::span<const double> v, std::span<double> result) {
 
 bool Homotopy::jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) {
   move_to(v);
-  std::ranges::fill(result, 0.0);
   for (std::size_t row = 0; row < m_; ++row) {
     for (const std::uint32_t column : pattern_[row]) derivatives(row, column) = 0;
   }
-  forms_.add_derivatives(x_, speed_, column_, result, derivatives);
+  forms_.values(x_, result);
+  forms_.add_derivatives(x_, speed_, column_, derivatives);
   for (Equation& equation : equations_) {
     if (!evaluate(equation)) return false;
     const double weight = weights_[equation.row];

@@ -88,13 +88,15 @@ bool lies_on_continuum(Curve& curve, const std::vector<double>& v) {
   Eigen::VectorXd values;
   Eigen::MatrixXd matrix;
   if (!evaluate(curve, v, values, matrix)) return false;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
-  const double largest = svd.singularValues()[0];
-  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
-    if (svd.singularValues()[k] > kSingular * largest) continue;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(matrix.rows(), matrix.cols());
+  decomposition.setThreshold(kSingular);
+  decomposition.compute(matrix);
+  const Eigen::MatrixXd nullspace = (decomposition.colsPermutation() * decomposition.matrixZ().transpose())
+                                        .rightCols(matrix.cols() - decomposition.rank());
+  for (Eigen::Index k = 0; k < nullspace.cols(); ++k) {
     std::vector<double> moved = v;
     for (Eigen::Index i = 0; i < values.size(); ++i)
-      moved[static_cast<std::size_t>(i)] += kAway * svd.matrixV()(i, k);
+      moved[static_cast<std::size_t>(i)] += kAway * nullspace(i, k);
     const double away = solve_singular(curve, moved) ? distance(moved, v) : 0;
     if (away > kAway / 2 && away < 2 * kAway) return true;
   }

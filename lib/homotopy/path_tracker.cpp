@@ -58,7 +58,7 @@ class Tracker {
         aids_(&aids),
         certifier_(aids.certifier),
         predictor_(predictor_registry().at(options.predictor).make(curve)),
-        corrector_(curve, options.corrector),
+        corrector_(curve, corrector_options(options)),
         exact_corrector_(curve, {CorrectorKind::newton, 1e-12}),
         smooth_step_(curve),
         precise_corrector_(aids.precise == nullptr ? curve : *aids.precise, {CorrectorKind::newton, 1e-13}),
@@ -113,7 +113,7 @@ class Tracker {
         if (options_->step_control == StepControl::fixed) throw Jump{std::move(state_.path)};
         state_.step /= 2;
         if (state_.step < kSmallStep && !is_exact_) improve_here();
-        if (state_.step < options_->least_step) return is_defined_ ? PathEnd::stuck : PathEnd::to_undefined;
+        if (state_.step < options_->least_step) return where_no_step_succeeds();
         continue;
       }
       const std::optional<PathEnd> end = accept();
@@ -121,6 +121,12 @@ class Tracker {
       if (end) return *end;
     }
     return PathEnd::budget;
+  }
+
+  PathEnd where_no_step_succeeds() const {
+    constexpr double kSingular = 1e13;  // of the quotient of pivots: doubles tell no direction there
+    const bool is_regular = at_here_.matrix().pivot_ratio() < kSingular;
+    return is_defined_ && is_regular ? PathEnd::stuck : PathEnd::to_undefined;
   }
 
   /// Where only small steps succeed, as near points at which the equations are not smooth, the usual
@@ -152,8 +158,7 @@ class Tracker {
     is_defined_ = at_next_.find(next_, here.tangent);
     if (!is_defined_) return false;
     if (!is_adaptive) return true;
-    if (!is_precise && !(at_next_.polish(next_) <= options_->corrector.tolerance * (1 + largest(next_.v))))
-      return false;
+    if (!is_precise && !(at_next_.polish(next_) <= largest_polish())) return false;
     const double cosine = dot(next_.tangent, here.tangent);
     if (!(cosine > std::cos(options_->largest_turn))) return false;
     if (!is_smooth()) return false;
@@ -163,6 +168,17 @@ class Tracker {
     if (certifier_ != nullptr && !is_proved_or_a_leap()) return false;
     set_growth(correction, std::acos(std::min(cosine, 1.0)));
     return true;
+  }
+
+  static CorrectorOptions corrector_options(const TrackerOptions& options) {
+    CorrectorOptions result = options.corrector;
+    result.is_polished_after = options.step_control == StepControl::adaptive;
+    return result;
+  }
+
+  /// What a correction leaves, with some room for what it cannot know.
+  double largest_polish() const {
+    return std::max(options_->corrector.tolerance * (1 + largest(next_.v)), 0.002 * state_.step);
   }
 
   /// A step to t a little beyond 0 or 1, where critical points are, when they are near: rules (i) and (ii) of
