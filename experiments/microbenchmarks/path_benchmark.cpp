@@ -2,10 +2,11 @@
 // of t = 1 polished, regular ones certified, solutions told apart. `usual` is the tracker of the method
 // sketch_path, `as_published` that of sketch_path_as_published. Counters: solutions, steps and time a step
 // (all of the time divided by steps). `sketch_path/<problem>/random` is `usual` from 20 random sketches, one
-// after the other: its counters are medians over them. `published_ratio/<problem>` runs both trackers in turn;
-// its counter `ratio` says how many times faster the usual one is. `tracker_step/<problem>` is the following
-// alone, without certificates; `tracker_step/<family>/<size>/dense` or `sparse` the first steps of a figure of
-// that size (unknowns: a counter), and `bordered_matrix/...` one factorisation and solution there.
+// after the other: its counters are medians over them. `published_ratio/<problem>` runs both trackers in
+// turn; its counter `ratio` says how many times faster the usual one is. `tracker_step/<problem>` is the
+// following alone, without certificates; `tracker_step/<family>/<size>/dense` or `sparse` the first steps of
+// a figure of that size (unknowns: a counter), and `bordered_matrix/...` one factorisation and solution
+// there.
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

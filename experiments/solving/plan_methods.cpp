@@ -319,7 +319,7 @@ std::vector<OptionSpec> shared_options(const std::string& plan, const std::vecto
 std::vector<SolveMethod> plan_methods() {
   const auto method = [](std::string name, std::string summary, std::vector<OptionSpec> options, auto solve,
                          std::string no_search, bool follows_path = false) {
-    return SolveMethod{std::move(name), std::move(summary), 2,  std::move(options),
+    return SolveMethod{std::move(name), std::move(summary), 3,  std::move(options),
                        solve,           Promise::rigorous,  {}, std::move(no_search),
                        follows_path};
   };
