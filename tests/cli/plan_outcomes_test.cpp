@@ -184,8 +184,9 @@ TEST_F(PlanOutcomes, NameWhereAPathGoesToInfinity) {
 TEST_F(PlanOutcomes, NameWhereThePlanDegenerates) {
   std::string all;
   for (int seed = 1; seed <= 12; ++seed) {
-    answer_ = shell("$gcslab solve polyhedra/hexahedron --method plan_path --json r.json --set random_sketch=" +
-                    std::to_string(seed));
+    answer_ =
+        shell("$gcslab solve polyhedra/hexahedron --method plan_path --json r.json --set random_sketch=" +
+              std::to_string(seed));
     const Json path = Json::parse(text_of(folder_ / "r.json"))["paths"][0];
     if (path["type"] == "to_undefined") {
       EXPECT_TRUE(path.contains("plan_event") && path.contains("other_plan_event")) << path;
