@@ -20,7 +20,7 @@ set multiplot # 174 mm x 65 mm
 set label 't = 0.00' at screen 0.12284,0.57140 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.24282
 set bmargin at screen 0.59908; set tmargin at screen 0.99231
-set xrange [-0.750113074:1.09884049]; set yrange [-0.444188479:0.688048962]
+set xrange [-0.750108265:1.09883568]; set yrange [-0.444194602:0.688055085]
 set border 0; unset xtics; unset ytics
 plot data index 0 using 1:2 with lines lw 0.514 lc rgb '#B9C3CC', \
   data index 1 using 1:2 with lines lw 0.655 lc rgb '#9AA8B5', \
@@ -38,7 +38,7 @@ unset label; unset arrow
 set label 't = 0.07' at screen 0.37428,0.57140 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.25431; set rmargin at screen 0.49425
 set bmargin at screen 0.59908; set tmargin at screen 0.99231
-set xrange [-0.71496531:1.13398825]; set yrange [-0.3331146:0.799122842]
+set xrange [-0.714945583:1.13399836]; set yrange [-0.333123206:0.799126481]
 set border 0; unset xtics; unset ytics
 plot data index 10 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 11 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -56,7 +56,7 @@ unset label; unset arrow
 set label 't = 0.19' at screen 0.62572,0.57140 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.50575; set rmargin at screen 0.74569
 set bmargin at screen 0.59908; set tmargin at screen 0.99231
-set xrange [-0.700471195:1.14848237]; set yrange [-0.437931868:0.694305573]
+set xrange [-0.700505205:1.14843874]; set yrange [-0.437995183:0.694254504]
 set border 0; unset xtics; unset ytics
 plot data index 20 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 21 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -75,7 +75,7 @@ unset label; unset arrow
 set label 't = 0.30' at screen 0.87716,0.57140 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.75718; set rmargin at screen 0.99713
 set bmargin at screen 0.59908; set tmargin at screen 0.99231
-set xrange [-0.794006527:1.05494703]; set yrange [-0.722880154:0.409357288]
+set xrange [-0.794010464:1.05493348]; set yrange [-0.722978407:0.409271279]
 set border 0; unset xtics; unset ytics
 plot data index 31 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 32 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -93,7 +93,7 @@ unset label; unset arrow
 set label 't = 0.42' at screen 0.12284,0.06614 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.24282
 set bmargin at screen 0.09382; set tmargin at screen 0.51295
-set xrange [-0.762255661:1.0866979]; set yrange [-0.881756858:0.325071378]
+set xrange [-0.762225224:1.08671872]; set yrange [-0.881794889:0.325032886]
 set border 0; unset xtics; unset ytics
 plot data index 41 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 42 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -112,7 +112,7 @@ unset label; unset arrow
 set label 't = 0.58' at screen 0.37428,0.06614 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.25431; set rmargin at screen 0.49425
 set bmargin at screen 0.09382; set tmargin at screen 0.51295
-set xrange [-0.646878205:1.20207536]; set yrange [-1.00634981:0.200478423]
+set xrange [-0.64686166:1.20208228]; set yrange [-1.00635977:0.200468009]
 set border 0; unset xtics; unset ytics
 plot data index 52 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 53 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -130,7 +130,7 @@ unset label; unset arrow
 set label 't = 0.78' at screen 0.62572,0.06614 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.50575; set rmargin at screen 0.74569
 set bmargin at screen 0.09382; set tmargin at screen 0.51295
-set xrange [-0.510138687:1.33881487]; set yrange [-1.10781908:0.0990091528]
+set xrange [-0.510098168:1.33884578]; set yrange [-1.10784157:0.0989862041]
 set border 0; unset xtics; unset ytics
 plot data index 62 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 63 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
@@ -149,7 +149,7 @@ unset label; unset arrow
 set label 't = 1.00' at screen 0.87716,0.06614 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.75718; set rmargin at screen 0.99713
 set bmargin at screen 0.09382; set tmargin at screen 0.51295
-set xrange [-0.386317373:1.46263619]; set yrange [-1.16254192:0.0442863129]
+set xrange [-0.386312565:1.46263138]; set yrange [-1.16254169:0.0442860825]
 set border 0; unset xtics; unset ytics
 plot data index 73 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
   data index 74 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \

@@ -29,7 +29,7 @@ unset logscale x
 set xrange [0:6]
 set xtics ('0' 0, '2' 2, '4' 4, '6' 6)
 unset logscale y
-set yrange [-0.32237952:1.0759371]
+set yrange [-0.32238156:1.075929]
 set ytics ('0.0' 0, '0.5' 0.5, '1.0' 1)
 set border 3; plot data index 0 using 1:2 with lines lw 0.6 lc rgb '#A0A0A0', \
   data index 1 using 1:2 with lines lw 0.6 lc rgb '#A0A0A0', \

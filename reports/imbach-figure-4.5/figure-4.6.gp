@@ -27,7 +27,7 @@ set label 'P4' at screen 0.25766,0.74496 center font ',7' tc rgb '#202020' noenh
 set label 'P5' at screen 0.46539,0.43455 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.00595; set rmargin at screen 0.48810
 set bmargin at screen 0.10833; set tmargin at screen 0.90233
-set xrange [-0.264058986:2.21426683]; set yrange [-0.855544536:1.88040309]
+set xrange [-0.264058986:2.21426683]; set yrange [-0.855544534:1.88040308]
 set border 0; unset xtics; unset ytics
 plot data index 0 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 1 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -54,7 +54,7 @@ set label 'P4' at screen 0.86104,0.46524 center font ',7' tc rgb '#202020' noenh
 set label 'P5' at screen 0.68537,0.13863 center font ',7' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.51190; set rmargin at screen 0.99405
 set bmargin at screen 0.10833; set tmargin at screen 0.90233
-set xrange [-0.646138833:1.83218698]; set yrange [-2.42647146:0.309476163]
+set xrange [-0.646138833:1.83218698]; set yrange [-2.42647146:0.309476159]
 set border 0; unset xtics; unset ytics
 plot data index 13 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 14 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \

@@ -4,7 +4,7 @@
 # Line widths and font sizes are points, as printed at the figure's own size.
 if (!exists("format")) format = "pdf"
 if (format eq "svg") set terminal svg size 658,234 font 'DejaVu Sans,7' fontscale 1.3333 linewidth 1.3333 dashlength 0.7 enhanced background rgb 'white'
-if (format eq "pdf") set terminal pdfcairo size 17.40cm,6.20cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
+if (format eq "pdf") set terminal pdfcairo size 17.40cm,6.19cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
 set output 'deformation.'.format
 data = 'deformation.dat'
 set encoding utf8
@@ -17,55 +17,55 @@ set ytics offset 0.4,0
 set multiplot # 174 mm x 62 mm
 
 # line 1, column 1, t = 0.00
-set label 't = 0.00' at screen 0.09770,0.55468 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.00' at screen 0.09770,0.55443 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.19253
-set bmargin at screen 0.58372; set tmargin at screen 0.99193
-set xrange [-1.50337111:1.34517943]; set yrange [-1.29714961:0.887192608]
+set bmargin at screen 0.58349; set tmargin at screen 0.99193
+set xrange [-1.50570666:1.34751498]; set yrange [-1.29869294:0.888735938]
 set border 0; unset xtics; unset ytics
 plot data index 0 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 1 using 1:2 with lines lw 0.46 lc rgb '#B9C3CC', \
-  data index 2 using 1:2 with lines lw 0.586 lc rgb '#9AA8B5', \
-  data index 3 using 1:2 with lines lw 0.711 lc rgb '#7A8C9C', \
-  data index 4 using 1:2 with lines lw 0.837 lc rgb '#5A7083', \
+  data index 2 using 1:2 with lines lw 0.585 lc rgb '#9AA8B5', \
+  data index 3 using 1:2 with lines lw 0.71 lc rgb '#7A8C9C', \
+  data index 4 using 1:2 with lines lw 0.836 lc rgb '#5A7083', \
   data index 5 using 1:2 with lines lw 1 lc rgb '#38536B', \
   data index 6 using 1:2 with lines lw 1.17 lc rgb '#143653', \
-  data index 7 using 1:2 with points pt 7 ps 0.352 lc rgb '#B9C3CC', \
-  data index 8 using 1:2 with points pt 7 ps 0.352 lc rgb '#9AA8B5', \
-  data index 9 using 1:2 with points pt 7 ps 0.352 lc rgb '#7A8C9C', \
-  data index 10 using 1:2 with points pt 7 ps 0.352 lc rgb '#143653'
+  data index 7 using 1:2 with points pt 7 ps 0.351 lc rgb '#B9C3CC', \
+  data index 8 using 1:2 with points pt 7 ps 0.351 lc rgb '#9AA8B5', \
+  data index 9 using 1:2 with points pt 7 ps 0.351 lc rgb '#7A8C9C', \
+  data index 10 using 1:2 with points pt 7 ps 0.351 lc rgb '#143653'
 unset label; unset arrow
 
 # line 1, column 2, t = −0.14
-set label 't = −0.14' at screen 0.29885,0.55468 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = −0.14' at screen 0.29885,0.55443 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.20402; set rmargin at screen 0.39368
-set bmargin at screen 0.58372; set tmargin at screen 0.99193
-set xrange [-1.33565027:1.51290027]; set yrange [-0.436599777:1.74774244]
+set bmargin at screen 0.58349; set tmargin at screen 0.99193
+set xrange [-1.33679154:1.5164301]; set yrange [-0.43881731:1.74861157]
 set border 0; unset xtics; unset ytics
 plot data index 11 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
-  data index 12 using 1:2 with lines lw 0.359 lc rgb '#B9C3CC', \
-  data index 13 using 1:2 with lines lw 0.457 lc rgb '#9AA8B5', \
-  data index 14 using 1:2 with lines lw 0.554 lc rgb '#7A8C9C', \
-  data index 15 using 1:2 with lines lw 0.652 lc rgb '#5A7083', \
-  data index 16 using 1:2 with lines lw 0.783 lc rgb '#38536B', \
-  data index 17 using 1:2 with lines lw 0.913 lc rgb '#143653', \
-  data index 18 using 1:2 with points pt 7 ps 0.274 lc rgb '#B9C3CC', \
-  data index 19 using 1:2 with points pt 7 ps 0.274 lc rgb '#7A8C9C', \
-  data index 20 using 1:2 with points pt 7 ps 0.274 lc rgb '#5A7083', \
-  data index 21 using 1:2 with points pt 7 ps 0.274 lc rgb '#143653'
+  data index 12 using 1:2 with lines lw 0.358 lc rgb '#B9C3CC', \
+  data index 13 using 1:2 with lines lw 0.455 lc rgb '#9AA8B5', \
+  data index 14 using 1:2 with lines lw 0.553 lc rgb '#7A8C9C', \
+  data index 15 using 1:2 with lines lw 0.65 lc rgb '#5A7083', \
+  data index 16 using 1:2 with lines lw 0.78 lc rgb '#38536B', \
+  data index 17 using 1:2 with lines lw 0.91 lc rgb '#143653', \
+  data index 18 using 1:2 with points pt 7 ps 0.273 lc rgb '#B9C3CC', \
+  data index 19 using 1:2 with points pt 7 ps 0.273 lc rgb '#7A8C9C', \
+  data index 20 using 1:2 with points pt 7 ps 0.273 lc rgb '#5A7083', \
+  data index 21 using 1:2 with points pt 7 ps 0.273 lc rgb '#143653'
 unset label; unset arrow
 
-# line 1, column 3, t = 0.23
-set label 't = 0.23' at screen 0.50000,0.55468 center font ',7' tc rgb '#606060' noenhanced front
+# line 1, column 3, t = 0.24
+set label 't = 0.24' at screen 0.50000,0.55443 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.40517; set rmargin at screen 0.59483
-set bmargin at screen 0.58372; set tmargin at screen 0.99193
-set xrange [-1.76785181:1.08069872]; set yrange [-0.455769647:1.72857257]
+set bmargin at screen 0.58349; set tmargin at screen 0.99193
+set xrange [-1.77563016:1.07759148]; set yrange [-0.458946829:1.72848205]
 set border 0; unset xtics; unset ytics
 plot data index 22 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 23 using 1:2 with lines lw 0.548 lc rgb '#B9C3CC', \
   data index 24 using 1:2 with lines lw 0.697 lc rgb '#9AA8B5', \
-  data index 25 using 1:2 with lines lw 0.846 lc rgb '#7A8C9C', \
+  data index 25 using 1:2 with lines lw 0.847 lc rgb '#7A8C9C', \
   data index 26 using 1:2 with lines lw 0.996 lc rgb '#5A7083', \
-  data index 27 using 1:2 with lines lw 1.19 lc rgb '#38536B', \
+  data index 27 using 1:2 with lines lw 1.2 lc rgb '#38536B', \
   data index 28 using 1:2 with lines lw 1.39 lc rgb '#143653', \
   data index 29 using 1:2 with points pt 7 ps 0.418 lc rgb '#B9C3CC', \
   data index 30 using 1:2 with points pt 7 ps 0.418 lc rgb '#9AA8B5', \
@@ -74,10 +74,10 @@ plot data index 22 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 1, column 4, t = 0.95
-set label 't = 0.95' at screen 0.70115,0.55468 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.95' at screen 0.70115,0.55443 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.60632; set rmargin at screen 0.79598
-set bmargin at screen 0.58372; set tmargin at screen 0.99193
-set xrange [-2.25980081:0.588749725]; set yrange [-0.426008206:1.75833401]
+set bmargin at screen 0.58349; set tmargin at screen 0.99193
+set xrange [-2.26271363:0.590508007]; set yrange [-0.42732353:1.76010535]
 set border 0; unset xtics; unset ytics
 plot data index 33 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 34 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -94,10 +94,10 @@ plot data index 33 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 1, column 5, t = 1.22
-set label 't = 1.22' at screen 0.90230,0.55468 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 1.22' at screen 0.90230,0.55443 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.80747; set rmargin at screen 0.99713
-set bmargin at screen 0.58372; set tmargin at screen 0.99193
-set xrange [-1.00428451:1.84426603]; set yrange [-0.406029145:1.77831308]
+set bmargin at screen 0.58349; set tmargin at screen 0.99193
+set xrange [-0.998728303:1.85449333]; set yrange [-0.406900887:1.78052799]
 set border 0; unset xtics; unset ytics
 plot data index 45 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 46 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -112,10 +112,10 @@ plot data index 45 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 2, column 1, t = 0.90
-set label 't = 0.90' at screen 0.09770,0.06937 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.90' at screen 0.09770,0.06942 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.19253
-set bmargin at screen 0.09840; set tmargin at screen 0.49338
-set xrange [-0.337550924:2.51099961]; set yrange [-0.947360114:1.1661361]
+set bmargin at screen 0.09848; set tmargin at screen 0.49308
+set xrange [-0.341621885:2.51159975]; set yrange [-0.94065076:1.17267733]
 set border 0; unset xtics; unset ytics
 plot data index 55 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 56 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -131,29 +131,29 @@ plot data index 55 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 2, column 2, t = 1.11
-set label 't = 1.11' at screen 0.29885,0.06937 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 1.11' at screen 0.29885,0.06942 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.20402; set rmargin at screen 0.39368
-set bmargin at screen 0.09840; set tmargin at screen 0.49338
-set xrange [-0.730563386:2.11798715]; set yrange [-1.83156863:0.281927587]
+set bmargin at screen 0.09848; set tmargin at screen 0.49308
+set xrange [-0.733180788:2.12004085]; set yrange [-1.83134227:0.281985818]
 set border 0; unset xtics; unset ytics
 plot data index 66 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
-  data index 67 using 1:2 with lines lw 0.495 lc rgb '#B9C3CC', \
-  data index 68 using 1:2 with lines lw 0.63 lc rgb '#9AA8B5', \
-  data index 69 using 1:2 with lines lw 0.764 lc rgb '#7A8C9C', \
-  data index 70 using 1:2 with lines lw 0.899 lc rgb '#5A7083', \
+  data index 67 using 1:2 with lines lw 0.494 lc rgb '#B9C3CC', \
+  data index 68 using 1:2 with lines lw 0.628 lc rgb '#9AA8B5', \
+  data index 69 using 1:2 with lines lw 0.763 lc rgb '#7A8C9C', \
+  data index 70 using 1:2 with lines lw 0.898 lc rgb '#5A7083', \
   data index 71 using 1:2 with lines lw 1.08 lc rgb '#38536B', \
   data index 72 using 1:2 with lines lw 1.26 lc rgb '#143653', \
-  data index 73 using 1:2 with points pt 7 ps 0.378 lc rgb '#B9C3CC', \
-  data index 74 using 1:2 with points pt 7 ps 0.378 lc rgb '#9AA8B5', \
-  data index 75 using 1:2 with points pt 7 ps 0.378 lc rgb '#7A8C9C', \
-  data index 76 using 1:2 with points pt 7 ps 0.378 lc rgb '#143653'
+  data index 73 using 1:2 with points pt 7 ps 0.377 lc rgb '#B9C3CC', \
+  data index 74 using 1:2 with points pt 7 ps 0.377 lc rgb '#9AA8B5', \
+  data index 75 using 1:2 with points pt 7 ps 0.377 lc rgb '#7A8C9C', \
+  data index 76 using 1:2 with points pt 7 ps 0.377 lc rgb '#143653'
 unset label; unset arrow
 
 # line 2, column 3, t = 1.07
-set label 't = 1.07' at screen 0.50000,0.06937 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 1.07' at screen 0.50000,0.06942 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.40517; set rmargin at screen 0.59483
-set bmargin at screen 0.09840; set tmargin at screen 0.49338
-set xrange [-2.09538375:0.753166792]; set yrange [-1.81081892:0.302677296]
+set bmargin at screen 0.09848; set tmargin at screen 0.49308
+set xrange [-2.08564218:0.767579458]; set yrange [-1.8101385:0.303189584]
 set border 0; unset xtics; unset ytics
 plot data index 77 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 78 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -171,10 +171,10 @@ plot data index 77 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 2, column 4, t = 0.54
-set label 't = 0.54' at screen 0.70115,0.06937 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.54' at screen 0.70115,0.06942 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.60632; set rmargin at screen 0.79598
-set bmargin at screen 0.09840; set tmargin at screen 0.49338
-set xrange [-2.06830135:0.780249191]; set yrange [-1.55383932:0.559656897]
+set bmargin at screen 0.09848; set tmargin at screen 0.49308
+set xrange [-2.07264593:0.780575706]; set yrange [-1.55557288:0.55775521]
 set border 0; unset xtics; unset ytics
 plot data index 90 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 91 using 1:2 with lines lw 0.55 lc rgb '#B9C3CC', \
@@ -191,22 +191,22 @@ plot data index 90 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 2, column 5, t = 0.00
-set label 't = 0.00' at screen 0.90230,0.06937 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.00' at screen 0.90230,0.06942 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.80747; set rmargin at screen 0.99713
-set bmargin at screen 0.09840; set tmargin at screen 0.49338
-set xrange [-1.50337111:1.34517943]; set yrange [-1.26172661:0.851769605]
+set bmargin at screen 0.09848; set tmargin at screen 0.49308
+set xrange [-1.50570666:1.34751498]; set yrange [-1.26164255:0.851685541]
 set border 0; unset xtics; unset ytics
 plot data index 102 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 103 using 1:2 with lines lw 0.46 lc rgb '#B9C3CC', \
-  data index 104 using 1:2 with lines lw 0.586 lc rgb '#9AA8B5', \
-  data index 105 using 1:2 with lines lw 0.711 lc rgb '#7A8C9C', \
-  data index 106 using 1:2 with lines lw 0.837 lc rgb '#5A7083', \
+  data index 104 using 1:2 with lines lw 0.585 lc rgb '#9AA8B5', \
+  data index 105 using 1:2 with lines lw 0.71 lc rgb '#7A8C9C', \
+  data index 106 using 1:2 with lines lw 0.836 lc rgb '#5A7083', \
   data index 107 using 1:2 with lines lw 1 lc rgb '#38536B', \
   data index 108 using 1:2 with lines lw 1.17 lc rgb '#143653', \
-  data index 109 using 1:2 with points pt 7 ps 0.352 lc rgb '#B9C3CC', \
-  data index 110 using 1:2 with points pt 7 ps 0.352 lc rgb '#9AA8B5', \
-  data index 111 using 1:2 with points pt 7 ps 0.352 lc rgb '#7A8C9C', \
-  data index 112 using 1:2 with points pt 7 ps 0.352 lc rgb '#143653'
+  data index 109 using 1:2 with points pt 7 ps 0.351 lc rgb '#B9C3CC', \
+  data index 110 using 1:2 with points pt 7 ps 0.351 lc rgb '#9AA8B5', \
+  data index 111 using 1:2 with points pt 7 ps 0.351 lc rgb '#7A8C9C', \
+  data index 112 using 1:2 with points pt 7 ps 0.351 lc rgb '#143653'
 unset label; unset arrow
 unset multiplot
 unset output

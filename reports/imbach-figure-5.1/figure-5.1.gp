@@ -41,8 +41,8 @@ set arrow from screen 0.11905,0.37600 to screen 0.10905,0.37600 nohead lw 0.5 lc
 set label '0.0' at screen 0.10238,0.37600 right font ',7' tc rgb '#202020' noenhanced front
 set arrow from screen 0.11905,0.57843 to screen 0.10905,0.57843 nohead lw 0.5 lc rgb '#505050'
 set label '0.5' at screen 0.10238,0.57843 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.78086 to screen 0.10905,0.78086 nohead lw 0.5 lc rgb '#505050'
-set label '1.0' at screen 0.10238,0.78086 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.78087 to screen 0.10905,0.78087 nohead lw 0.5 lc rgb '#505050'
+set label '1.0' at screen 0.10238,0.78087 right font ',7' tc rgb '#202020' noenhanced front
 set label 't' at screen 0.03571,0.57716 right font ',8' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.11905; set rmargin at screen 0.88095
 set bmargin at screen 0.12008; set tmargin at screen 0.97332

@@ -35,12 +35,12 @@ set label '0' at screen 0.25364,0.17993 right font ',7' tc rgb '#202020' noenhan
 set arrow from screen 0.19230,0.24188 to screen 0.18516,0.22907 nohead lw 0.5 lc rgb '#505050'
 set label '1' at screen 0.18039,0.22053 right font ',7' tc rgb '#202020' noenhanced front
 set label 'P5_z' at screen 0.20603,0.12443 right font ',8' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.29054 to screen 0.10905,0.29054 nohead lw 0.5 lc rgb '#505050'
-set label '0.0' at screen 0.10238,0.29054 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.50464 to screen 0.10905,0.50464 nohead lw 0.5 lc rgb '#505050'
-set label '0.5' at screen 0.10238,0.50464 right font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.71875 to screen 0.10905,0.71875 nohead lw 0.5 lc rgb '#505050'
-set label '1.0' at screen 0.10238,0.71875 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.29053 to screen 0.10905,0.29053 nohead lw 0.5 lc rgb '#505050'
+set label '0.0' at screen 0.10238,0.29053 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.50463 to screen 0.10905,0.50463 nohead lw 0.5 lc rgb '#505050'
+set label '0.5' at screen 0.10238,0.50463 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.71873 to screen 0.10905,0.71873 nohead lw 0.5 lc rgb '#505050'
+set label '1.0' at screen 0.10238,0.71873 right font ',7' tc rgb '#202020' noenhanced front
 set label 't' at screen 0.03571,0.57716 right font ',8' tc rgb '#202020' noenhanced front
 set lmargin at screen 0.11905; set rmargin at screen 0.88095
 set bmargin at screen 0.12008; set tmargin at screen 0.97332

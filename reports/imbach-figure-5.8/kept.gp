@@ -27,8 +27,8 @@ set label '−0.5' at screen 0.40015,0.09873 right font ',7' tc rgb '#202020' no
 set arrow from screen 0.26555,0.20128 to screen 0.25841,0.18847 nohead lw 0.5 lc rgb '#505050'
 set label '0.0' at screen 0.25364,0.17993 right font ',7' tc rgb '#202020' noenhanced front
 set label 'P7_z' at screen 0.20603,0.12443 right font ',8' tc rgb '#202020' noenhanced front
-set arrow from screen 0.11905,0.39410 to screen 0.10905,0.39410 nohead lw 0.5 lc rgb '#505050'
-set label '0.0' at screen 0.10238,0.39410 right font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.11905,0.39411 to screen 0.10905,0.39411 nohead lw 0.5 lc rgb '#505050'
+set label '0.0' at screen 0.10238,0.39411 right font ',7' tc rgb '#202020' noenhanced front
 set arrow from screen 0.11905,0.57917 to screen 0.10905,0.57917 nohead lw 0.5 lc rgb '#505050'
 set label '0.5' at screen 0.10238,0.57917 right font ',7' tc rgb '#202020' noenhanced front
 set arrow from screen 0.11905,0.76423 to screen 0.10905,0.76423 nohead lw 0.5 lc rgb '#505050'

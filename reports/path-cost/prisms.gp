@@ -3,8 +3,8 @@
 #   gnuplot -e 'format="svg"' prisms.gp
 # Line widths and font sizes are points, as printed at the figure's own size.
 if (!exists("format")) format = "pdf"
-if (format eq "svg") set terminal svg size 317,238 font 'DejaVu Sans,7' fontscale 1.3333 linewidth 1.3333 dashlength 0.7 enhanced background rgb 'white'
-if (format eq "pdf") set terminal pdfcairo size 8.40cm,6.30cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
+if (format eq "svg") set terminal svg size 317,246 font 'DejaVu Sans,7' fontscale 1.3333 linewidth 1.3333 dashlength 0.7 enhanced background rgb 'white'
+if (format eq "pdf") set terminal pdfcairo size 8.40cm,6.51cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
 set output 'prisms.'.format
 data = 'prisms.dat'
 set encoding utf8
@@ -14,25 +14,25 @@ set border 15 lw 0.5 lc rgb '#505050' front
 set tics nomirror scale 0.4,0.2 textcolor rgb '#202020'
 set xtics offset 0,0.3
 set ytics offset 0.4,0
-set multiplot # 84 mm x 63 mm
+set multiplot # 84 mm x 65 mm
 
 # 
-set label 'unknowns' at screen 0.55975,0.09995 center font ',7' tc rgb '#202020' noenhanced front
-set label 'time of a step [µs]' at screen 0.02381,0.58805 center rotate by 90 font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.15521,0.02856 to screen 0.23259,0.02856 nohead lc rgb '#0072B2' dt 1 lw 1
-set label '' at screen 0.19390,0.02856 point pt 7 ps 0.45 lc rgb '#0072B2'
-set label 'dense' at screen 0.25045,0.02856 left font ',7' tc rgb '#202020' noenhanced front
-set arrow from screen 0.39266,0.02856 to screen 0.47004,0.02856 nohead lc rgb '#D55E00' dt 1 lw 1
-set label '' at screen 0.43135,0.02856 point pt 5 ps 0.45 lc rgb '#D55E00'
-set label 'sparse' at screen 0.48790,0.02856 left font ',7' tc rgb '#202020' noenhanced front
-set lmargin at screen 0.15521; set rmargin at screen 0.96429
-set bmargin at screen 0.19990; set tmargin at screen 0.97620
+set label 'unknowns' at screen 0.54299,0.09683 center font ',7' tc rgb '#202020' noenhanced front
+set label 'time of a step [µs]' at screen 0.02381,0.58531 center rotate by 90 font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.12170,0.02767 to screen 0.19908,0.02767 nohead lc rgb '#0072B2' dt 1 lw 1
+set label '' at screen 0.16039,0.02767 point pt 7 ps 0.45 lc rgb '#0072B2'
+set label 'dense' at screen 0.21694,0.02767 left font ',7' tc rgb '#202020' noenhanced front
+set arrow from screen 0.35915,0.02767 to screen 0.43653,0.02767 nohead lc rgb '#D55E00' dt 1 lw 1
+set label '' at screen 0.39784,0.02767 point pt 5 ps 0.45 lc rgb '#D55E00'
+set label 'sparse' at screen 0.45438,0.02767 left font ',7' tc rgb '#202020' noenhanced front
+set lmargin at screen 0.12170; set rmargin at screen 0.96429
+set bmargin at screen 0.19367; set tmargin at screen 0.97694
 set logscale x
 set xrange [10:356.4]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [1.7533333333333334:1774.3103999999998]
-set ytics ('10' 10, '100' 100, '1,000' 1000)
+set yrange [1.6441666666666668:920.9136]
+set ytics ('10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \

@@ -31,8 +31,8 @@ set logscale x
 set xrange [5:360]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [1.0933333333333335:993.9695999999999]
-set ytics ('10' 10, '100' 100)
+set yrange [0.8424999999999999:642.1475999999999]
+set ytics ('1' 1, '10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
 plot \

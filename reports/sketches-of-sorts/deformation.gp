@@ -3,8 +3,8 @@
 #   gnuplot -e 'format="svg"' deformation.gp
 # Line widths and font sizes are points, as printed at the figure's own size.
 if (!exists("format")) format = "pdf"
-if (format eq "svg") set terminal svg size 658,313 font 'DejaVu Sans,7' fontscale 1.3333 linewidth 1.3333 dashlength 0.7 enhanced background rgb 'white'
-if (format eq "pdf") set terminal pdfcairo size 17.40cm,8.28cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
+if (format eq "svg") set terminal svg size 658,310 font 'DejaVu Sans,7' fontscale 1.3333 linewidth 1.3333 dashlength 0.7 enhanced background rgb 'white'
+if (format eq "pdf") set terminal pdfcairo size 17.40cm,8.20cm font 'DejaVu Sans,7' fontscale 0.75 linewidth 2 dashlength 0.5 enhanced
 set output 'deformation.'.format
 data = 'deformation.dat'
 set encoding utf8
@@ -14,13 +14,13 @@ set border 15 lw 0.5 lc rgb '#505050' front
 set tics nomirror scale 0.4,0.2 textcolor rgb '#202020'
 set xtics offset 0,0.3
 set ytics offset 0.4,0
-set multiplot # 174 mm x 83 mm
+set multiplot # 174 mm x 82 mm
 
 # line 1, column 1, t = 0.00
-set label 't = 0.00' at screen 0.12284,0.53638 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.00' at screen 0.12284,0.53730 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.24282
-set bmargin at screen 0.55813; set tmargin at screen 0.99396
-set xrange [-6.96588326:7.80743728]; set yrange [-7.31023959:5.45453549]
+set bmargin at screen 0.55924; set tmargin at screen 0.99391
+set xrange [-7.04033616:7.88189017]; set yrange [-7.30072196:5.44501786]
 set border 0; unset xtics; unset ytics
 plot data index 0 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 1 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -45,10 +45,10 @@ plot data index 0 using 1:2 with filledcurves closed fs transparent solid 0.13 n
 unset label; unset arrow
 
 # line 1, column 2, t = 0.98
-set label 't = 0.98' at screen 0.37428,0.53638 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.98' at screen 0.37428,0.53730 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.25431; set rmargin at screen 0.49425
-set bmargin at screen 0.55813; set tmargin at screen 0.99396
-set xrange [-5.30280871:9.47051183]; set yrange [-8.1899374:4.57483769]
+set bmargin at screen 0.55924; set tmargin at screen 0.99391
+set xrange [-5.38379192:9.53843441]; set yrange [-8.20133674:4.54440308]
 set border 0; unset xtics; unset ytics
 plot data index 20 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 21 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
@@ -70,11 +70,11 @@ plot data index 20 using 1:2 with filledcurves closed fs transparent solid 0.13 
   data index 37 using 1:2 with points pt 7 ps 0.42 lc rgb '#9AA8B5'
 unset label; unset arrow
 
-# line 1, column 3, t = 0.26
-set label 't = 0.26' at screen 0.62572,0.53638 center font ',7' tc rgb '#606060' noenhanced front
+# line 1, column 3, t = 0.27
+set label 't = 0.27' at screen 0.62572,0.53730 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.50575; set rmargin at screen 0.74569
-set bmargin at screen 0.55813; set tmargin at screen 0.99396
-set xrange [-4.94018718:9.83313336]; set yrange [-8.00148153:4.76329356]
+set bmargin at screen 0.55924; set tmargin at screen 0.99391
+set xrange [-5.01370664:9.90851969]; set yrange [-7.9942444:4.75149543]
 set border 0; unset xtics; unset ytics
 plot data index 38 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 39 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -82,26 +82,26 @@ plot data index 38 using 1:2 with filledcurves closed fs transparent solid 0.13 
   data index 41 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 42 using 1:2 with lines lw 0.5 lc rgb '#56B4E9', \
   data index 43 using 1:2 with lines lw 0.48 lc rgb '#F5D999', \
-  data index 44 using 1:2 with lines lw 0.7 lc rgb '#9AA8B5', \
-  data index 45 using 1:2 with lines lw 0.748 lc rgb '#7AB6D7', \
+  data index 44 using 1:2 with lines lw 0.699 lc rgb '#9AA8B5', \
+  data index 45 using 1:2 with lines lw 0.747 lc rgb '#7AB6D7', \
   data index 46 using 1:2 with lines lw 0.544 lc rgb '#F2CD7A', \
-  data index 47 using 1:2 with lines lw 0.85 lc rgb '#7A8C9C', \
+  data index 47 using 1:2 with lines lw 0.849 lc rgb '#7A8C9C', \
   data index 48 using 1:2 with lines lw 0.608 lc rgb '#EFC25C', \
-  data index 49 using 1:2 with lines lw 1 lc rgb '#5A7083', \
-  data index 50 using 1:2 with lines lw 0.924 lc rgb '#3D94C4', \
+  data index 49 using 1:2 with lines lw 0.999 lc rgb '#5A7083', \
+  data index 50 using 1:2 with lines lw 0.923 lc rgb '#3D94C4', \
   data index 51 using 1:2 with lines lw 0.672 lc rgb '#ECB63D', \
   data index 52 using 1:2 with lines lw 1.2 lc rgb '#38536B', \
-  data index 53 using 1:2 with lines lw 0.736 lc rgb '#E9AB1F', \
-  data index 54 using 1:2 with lines lw 0.8 lc rgb '#E69F00', \
+  data index 53 using 1:2 with lines lw 0.735 lc rgb '#E9AB1F', \
+  data index 54 using 1:2 with lines lw 0.799 lc rgb '#E69F00', \
   data index 55 using 1:2 with points pt 7 ps 0.42 lc rgb '#7A8C9C', \
   data index 56 using 1:2 with points pt 7 ps 0.42 lc rgb '#38536B'
 unset label; unset arrow
 
 # line 1, column 4, t = −0.33
-set label 't = −0.33' at screen 0.87716,0.53638 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = −0.33' at screen 0.87716,0.53730 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.75718; set rmargin at screen 0.99713
-set bmargin at screen 0.55813; set tmargin at screen 0.99396
-set xrange [-8.07299789:6.70032265]; set yrange [-7.59440588:5.17036921]
+set bmargin at screen 0.55924; set tmargin at screen 0.99391
+set xrange [-8.12953832:6.79268801]; set yrange [-7.58467982:5.16106001]
 set border 0; unset xtics; unset ytics
 plot data index 57 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 58 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -127,10 +127,10 @@ plot data index 57 using 1:2 with filledcurves closed fs transparent solid 0.13 
 unset label; unset arrow
 
 # line 2, column 1, t = 0.48
-set label 't = 0.48' at screen 0.12284,0.05195 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.48' at screen 0.12284,0.05241 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.00287; set rmargin at screen 0.24282
-set bmargin at screen 0.07370; set tmargin at screen 0.49047
-set xrange [-10.6712681:4.10205248]; set yrange [-7.78130364:4.42520101]
+set bmargin at screen 0.07435; set tmargin at screen 0.49098
+set xrange [-10.7467421:4.17548419]; set yrange [-7.78723585:4.42968304]
 set border 0; unset xtics; unset ytics
 plot data index 78 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 79 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -153,11 +153,11 @@ plot data index 78 using 1:2 with filledcurves closed fs transparent solid 0.13 
   data index 96 using 1:2 with points pt 7 ps 0.42 lc rgb '#38536B'
 unset label; unset arrow
 
-# line 2, column 2, t = 0.80
-set label 't = 0.80' at screen 0.37428,0.05195 center font ',7' tc rgb '#606060' noenhanced front
+# line 2, column 2, t = 0.79
+set label 't = 0.79' at screen 0.37428,0.05241 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.25431; set rmargin at screen 0.49425
-set bmargin at screen 0.07370; set tmargin at screen 0.49047
-set xrange [-10.2365299:4.53679062]; set yrange [-9.27678801:2.92971664]
+set bmargin at screen 0.07435; set tmargin at screen 0.49098
+set xrange [-10.2897999:4.63242639]; set yrange [-9.29277842:2.92414047]
 set border 0; unset xtics; unset ytics
 plot data index 97 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 98 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -183,11 +183,11 @@ plot data index 97 using 1:2 with filledcurves closed fs transparent solid 0.13 
   data index 118 using 1:2 with points pt 7 ps 0.42 lc rgb '#143653'
 unset label; unset arrow
 
-# line 2, column 3, t = −0.24
-set label 't = −0.24' at screen 0.62572,0.05195 center font ',7' tc rgb '#606060' noenhanced front
+# line 2, column 3, t = −0.25
+set label 't = −0.25' at screen 0.62572,0.05241 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.50575; set rmargin at screen 0.74569
-set bmargin at screen 0.07370; set tmargin at screen 0.49047
-set xrange [-10.3850831:4.38823741]; set yrange [-6.24133218:5.96517247]
+set bmargin at screen 0.07435; set tmargin at screen 0.49098
+set xrange [-10.4429639:4.47926245]; set yrange [-6.23890404:5.97801484]
 set border 0; unset xtics; unset ytics
 plot data index 119 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 120 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
@@ -212,10 +212,10 @@ plot data index 119 using 1:2 with filledcurves closed fs transparent solid 0.13
 unset label; unset arrow
 
 # line 2, column 4, t = 0.00
-set label 't = 0.00' at screen 0.87716,0.05195 center font ',7' tc rgb '#606060' noenhanced front
+set label 't = 0.00' at screen 0.87716,0.05241 center font ',7' tc rgb '#606060' noenhanced front
 set lmargin at screen 0.75718; set rmargin at screen 0.99713
-set bmargin at screen 0.07370; set tmargin at screen 0.49047
-set xrange [-6.96588326:7.80743728]; set yrange [-7.03110437:5.17540028]
+set bmargin at screen 0.07435; set tmargin at screen 0.49098
+set xrange [-7.04033616:7.88189017]; set yrange [-7.03631149:5.18060739]
 set border 0; unset xtics; unset ytics
 plot data index 139 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#56B4E9', \
   data index 140 using 1:2 with filledcurves closed fs transparent solid 0.13 noborder lc rgb '#E69F00', \
