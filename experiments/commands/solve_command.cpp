@@ -116,8 +116,11 @@ void print_solutions(const SystemFunctions& functions, const Json& result) {
   }
 }
 
-/// What a plan says before a path is followed.
-void print_escapes(const Json& plan) {
+/// What a plan says before a path is followed, and how many plans it took.
+void print_plan(const Json& plan) {
+  if (plan.contains("plans"))
+    fmt::print("  plans: {}, changed {} times\n", plan["plans"].get<std::uint64_t>(),
+               plan["plan_changes"].get<std::uint64_t>());
   if (!plan.contains("escapes")) return;
   if (plan["escapes"].empty()) fmt::print("  plan: no point can go to infinity\n");
   for (const Json& escape : plan["escapes"])
@@ -157,7 +160,7 @@ void print_summary(const Settings& settings, const SystemFunctions& functions, c
     const std::size_t classes = result["classes"].size();
     fmt::print("  {} figure{} up to isometry\n", classes, classes == 1 ? "" : "s");
   }
-  if (result.contains("plan")) print_escapes(result["plan"]);
+  if (result.contains("plan")) print_plan(result["plan"]);
   if (result.contains("paths")) print_paths(result["paths"]);
   if (solutions <= kListed) print_solutions(functions, result);
   if (solutions > kListed) fmt::print("  (more than {} solutions: see --json)\n", kListed);

@@ -68,19 +68,27 @@ PicturedFigure figure_from(const Json& json, const Wireframe& wires) {
   return figure;
 }
 
-std::vector<std::vector<std::size_t>> classes_of(const GeometricSource& source,
-                                                 const std::vector<FigureBox>& boxes) {
+}  // namespace
+
+std::vector<std::vector<std::size_t>> classes_of(const GeometricSource& source, const SearchResult& found) {
+  constexpr double kUncertified = 1e-7;  // as where a path's solutions are told apart
+  std::vector<FigureBox> boxes;
+  for (const Solution& solution : found.solutions) {
+    Box box = solution.root.box;
+    double size = 0;
+    for (const Interval& side : box) size = std::max(size, magnitude(side));
+    if (solution.claim == Claim::none) {
+      for (Interval& side : box)
+        side = Interval(side.lower - kUncertified * size, side.upper + kUncertified * size);
+    }
+    boxes.push_back(figure_box(source.equations, box));
+  }
   return congruence_classes(source.equations.sorts, source.equations.universe, boxes);
 }
 
-}  // namespace
-
 FigurePicture figure_picture(const GeometricSource& source, const SearchResult& found) {
   FigurePicture picture{wireframe_of(source.system, source.system.valuation(source.valuation)), {}};
-  std::vector<FigureBox> boxes;
-  for (const Solution& solution : found.solutions)
-    boxes.push_back(figure_box(source.equations, solution.root.box));
-  for (const std::vector<std::size_t>& members : classes_of(source, boxes)) {
+  for (const std::vector<std::size_t>& members : classes_of(source, found)) {
     const Solution& first = found.solutions[members.front()];
     const auto is_certified = [&](std::size_t k) { return found.solutions[k].claim != Claim::none; };
     picture.figures.push_back({reflected_upright(figure_at(source.equations, midpoints(first.root.box)),

@@ -29,6 +29,9 @@ struct FigurePicture {
   std::vector<NewSketch> new_sketches{};
 };
 
+/// The solutions by number, grouped up to isometry. Those that nothing proves are known to seven digits.
+std::vector<std::vector<std::size_t>> classes_of(const GeometricSource& source, const SearchResult& found);
+
 FigurePicture figure_picture(const GeometricSource& source, const SearchResult& found);
 
 /// Whether the points of a figure of space lie in the plane z = 0, as flat figures in a frame do, and there

@@ -1,9 +1,10 @@
 #include "experiments/solving/figures_json.h"
 
+#include "experiments/solving/figure_picture.h"
+
 namespace gcslab {
 
 void add_figures(Json& result, const GeometricSource& source, const SearchResult& found) {
-  std::vector<FigureBox> boxes;
   result["figures"] = Json::array();
   for (const Solution& solution : found.solutions) {
     std::vector<double> point;
@@ -12,9 +13,8 @@ void add_figures(Json& result, const GeometricSource& source, const SearchResult
     Json entry = Json::object();
     for (std::size_t p = 0; p < figure.size(); ++p) entry[source.system.objects[p].name] = figure[p];
     result["figures"].push_back(std::move(entry));
-    boxes.push_back(figure_box(source.equations, solution.root.box));
   }
-  result["classes"] = congruence_classes(source.equations.sorts, source.equations.universe, boxes);
+  result["classes"] = classes_of(source, found);
 }
 
 void add_paths(Json& result, const std::vector<FollowedPath>& paths) {
@@ -79,6 +79,8 @@ void add_plan(Json& result, const PlanReport& plan) {
   if (plan.empty_branches) entry["empty_branches"] = *plan.empty_branches;
   if (plan.sketches) entry["sketches"] = *plan.sketches;
   if (plan.unread) entry["unread_solutions"] = *plan.unread;
+  if (plan.plans) entry["plans"] = *plan.plans;
+  if (plan.plan_changes) entry["plan_changes"] = *plan.plan_changes;
   if (plan.branch_changes) entry["branch_changes"] = *plan.branch_changes;
   if (!plan.escapes) return;
   entry["escapes"] = Json::array();

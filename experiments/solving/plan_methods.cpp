@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "certification/root_certifier.h"
 #include "construction/exploration.h"
+#include "construction/plan_atlas.h"
 #include "construction/plan_escapes.h"
 #include "construction/plan_homotopy.h"
 #include "construction/plan_newton.h"
@@ -90,7 +91,8 @@ void note_events(FollowedPath& followed, const PlanHomotopy& homotopy, const Pla
   const auto event = [&](PathEnd end, const std::vector<double>& last) -> std::string {
     if ((end != PathEnd::stuck && end != PathEnd::to_undefined) || last.empty()) return "";
     const Figure figure = figure_of(last);
-    if (is_frame_flat(plan_frame, figure)) return line_text("plan's ", plan_frame);
+    if (is_frame_flat(plan_frame, figure) || frame_height(plan_frame, figure) < kSingular)
+      return line_text("plan's ", plan_frame);
     const auto least = least_general_step(program, in_frame(given.system, plan_frame, figure), given.wanted);
     std::string text = is_frame_flat(frame, figure) ? line_text("", frame) : "";
     if (!least || !(least->sine < kSingular)) return text;
@@ -129,6 +131,53 @@ SolveOutcome solve_along_plan(const SystemFunctions& functions, const SolveSetti
   note_events(followed, homotopy, given);
   SolveOutcome outcome = outcome_of(std::move(followed), false);
   outcome.plan = report_with_escapes(homotopy.program().plan(), given.system);
+  return outcome;
+}
+
+/// What a trace notes, in coordinates that depend on no plan.
+PathObserver chartless(const PlanAtlas& atlas, PathObserver observer) {
+  if (!observer) return observer;
+  const auto shown = [&atlas](const CurvePoint& point) {
+    constexpr double kAhead = 1e-6;
+    std::vector<double> ahead = point.v;
+    for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] += kAhead * point.tangent[i];
+    CurvePoint result{atlas.chartless(point.v), atlas.chartless(ahead), point.orientation};
+    for (std::size_t i = 0; i < result.v.size(); ++i) result.tangent[i] -= result.v[i];
+    const double length = norm(result.tangent);
+    for (double& x : result.tangent) x /= length;
+    return result;
+  };
+  return [shown, observer = std::move(observer)](PathState state) {
+    state.here = shown(state.here);
+    if (state.before) state.before = shown(*state.before);
+    observer(state);
+  };
+}
+
+SolveOutcome solve_along_plans(const SystemFunctions& functions, const SolveSettings& settings,
+                               const std::optional<SearchStart>&, const std::stop_token& stop,
+                               SearchObserver*) {
+  const PlanSource given(functions, settings);
+  const Options& options = settings.options;
+  const Frame& frame = given.source.geometry.frame;
+  SketchHomotopy sketched(given.system, frame, given.equations, given.wanted, given.source.sketch,
+                          homotopy_options(options));
+  Homotopy& figures = sketched.curve();
+  PlanAtlas atlas(given.system, frame, given.equations, sketched, plan_kind(options));
+  Tracer tracer(settings, figures, given.equations);
+  Path path = follow_path(atlas, atlas.begin(), tracker_options(options, sketched.extent() / sketched.unit()),
+                          stop, {.observer = chartless(atlas, tracer.observer()), .charts = &atlas});
+  FollowedPath followed{solutions_of(std::move(path), figures, functions, options.word("certifier")), {}};
+  followed.trace = tracer.traced(followed.found.path, sketched.start(), false);
+  followed.explanation =
+      explain(followed.found.path, given.system, given.equations, figures, sketched.extent());
+  const Plan& first = atlas.first().program().plan();
+  note_escapes(followed, first, given, figures, sketched.extent());
+  const std::uint64_t changes = followed.found.path.chart_changes;
+  SolveOutcome outcome = outcome_of(std::move(followed), false);
+  outcome.plan = report_with_escapes(first, given.system);
+  outcome.plan->plans = atlas.plans();
+  outcome.plan->plan_changes = changes;
   return outcome;
 }
 
@@ -319,7 +368,7 @@ std::vector<OptionSpec> shared_options(const std::string& plan, const std::vecto
 std::vector<SolveMethod> plan_methods() {
   const auto method = [](std::string name, std::string summary, std::vector<OptionSpec> options, auto solve,
                          std::string no_search, bool follows_path = false) {
-    return SolveMethod{std::move(name), std::move(summary), 3,  std::move(options),
+    return SolveMethod{std::move(name), std::move(summary), 4,  std::move(options),
                        solve,           Promise::rigorous,  {}, std::move(no_search),
                        follows_path};
   };
@@ -328,6 +377,10 @@ std::vector<SolveMethod> plan_methods() {
              "constraint systems: the homotopy path of the sketch in the guide parameters and heights of a "
              "construction plan (after Gao, Hoffmann, Yang 2004 and Imbach 2013)",
              shared_options("least", {}), solve_along_plan, "follows a path", true),
+      method("plan_path_adaptive",
+             "the same, going on in another plan where one becomes singular (after Imbach, Mathis, Schreck "
+             "2017)",
+             shared_options("least", {}), solve_along_plans, "follows a path"),
       method(
           "plan_pli",
           "the same path in the guide parameters alone, through simplices, from branch to branch of the plan "

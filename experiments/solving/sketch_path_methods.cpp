@@ -103,7 +103,7 @@ std::vector<OptionSpec> option_specs(const Defaults& defaults) {
 SolveMethod path_method(std::string name, std::string summary, const Defaults& defaults) {
   return {std::move(name),
           std::move(summary),
-          4,
+          5,
           option_specs(defaults),
           solve_along_sketch,
           Promise::rigorous,

@@ -54,6 +54,8 @@ struct PlanReport {
   std::optional<std::size_t> sketches{};          ///< that its branches gave
   std::optional<std::size_t> unread{};            ///< solutions that show no values, their frame on a line
   std::optional<std::uint64_t> branch_changes{};  ///< on the path
+  std::optional<std::size_t> plans{};             ///< that were made, where the path goes through several
+  std::optional<std::uint64_t> plan_changes{};    ///< on the path
   std::optional<double> simplices_per_edge{};     ///< of a path as long as an edge along an axis
   struct NewFigure {
     std::string origin;  ///< "branch +-+"

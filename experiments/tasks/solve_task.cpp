@@ -76,6 +76,8 @@ void add_plan_values(const PlanReport& plan, JobResult& result) {
   result.values["guides"] = plan.guides;
   result.values["choices"] = plan.choices;
   if (plan.sketches) result.values["sketches"] = *plan.sketches;
+  if (plan.plans) result.values["plans"] = *plan.plans;
+  if (plan.plan_changes) result.values["plan_changes"] = *plan.plan_changes;
   if (plan.branch_changes) result.values["branch_changes"] = *plan.branch_changes;
   // Rounded: the length of a path is a sum of doubles, and values are compared exactly.
   if (plan.simplices_per_edge)
@@ -163,6 +165,8 @@ std::vector<ValueInfo> SolveTask::values() const {
       {"guides", "distances that a construction plan needs to be given", "guides"},
       {"choices", "steps of a construction plan with two places", "choices"},
       {"sketches", "that the branches of a plan gave, the user's included", "sketches"},
+      {"plans", "that were made, where a path goes through several", "plans"},
+      {"plan_changes", "of a path from one plan to another", "changes"},
       {"branch_changes", "of a path from one branch of a plan to another", "changes"},
       {"simplices_per_edge", "simplices on a path as long as one of their edges along an axis, in the mean",
        "simplices"},

@@ -231,6 +231,17 @@ std::string text_of(const Plan& plan, const ConstraintSystem& system) {
   return text;
 }
 
+std::vector<std::vector<std::size_t>> plan_orders(const ConstraintSystem& system, PlanKind kind) {
+  check_applies(system);
+  const PlacingConstraints constraints(system, FigureVariables(system), kind == PlanKind::henneberg);
+  return forward_orders(constraints, dimension(system.universe));
+}
+
+Plan make_plan(const ConstraintSystem& system, const std::vector<std::size_t>& order, PlanKind kind,
+               const Figure& figure) {
+  return PlanMaker(system, order, kind == PlanKind::henneberg, figure).plan();
+}
+
 Plan make_plan(const ConstraintSystem& system, PlanKind kind, const Figure& figure) {
   check_applies(system);
   const bool only_distances = kind == PlanKind::henneberg;
@@ -240,9 +251,9 @@ Plan make_plan(const ConstraintSystem& system, PlanKind kind, const Figure& figu
   std::vector<std::size_t> order;
   if (kind == PlanKind::gao) order = gao_order(constraints, d);
   if (kind == PlanKind::least) order = least_order(constraints, d);
-  if (order.empty()) order = forward_order(constraints, d);
+  if (order.empty()) order = forward_orders(constraints, d).front();
   // Figures that satisfy coplanarities have spheres that only touch: the centres alone matter here.
-  return PlanMaker(system, order, only_distances, only_distances ? general_figure(system) : figure).plan();
+  return make_plan(system, order, kind, only_distances ? general_figure(system) : figure);
 }
 
 std::optional<Plan> plan_without_guides(const ConstraintSystem& system, const Frame& frame) {

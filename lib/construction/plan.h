@@ -75,6 +75,13 @@ enum class PlanKind {
 /// points: 2^n sets are looked at.
 Plan make_plan(const ConstraintSystem& system, PlanKind kind, const Figure& figure);
 
+/// Orders of the points, one from each frame, those whose plans need the fewest guides first. Throws
+/// NotApplicable as make_plan.
+std::vector<std::vector<std::size_t>> plan_orders(const ConstraintSystem& system, PlanKind kind);
+/// The plan that places the points in that order, otherwise as make_plan.
+Plan make_plan(const ConstraintSystem& system, const std::vector<std::size_t>& order, PlanKind kind,
+               const Figure& figure);
+
 /// A plan without guides, whose figures on all branches are all figures on which the constraints that it uses
 /// hold (the method of loci, LIM): in `frame` where that does, else in another; nothing where there is none.
 /// Throws NotApplicable as make_plan.

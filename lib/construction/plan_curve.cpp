@@ -9,7 +9,7 @@
 
 namespace gcslab {
 PlanCurve::PlanCurve(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
-                     const PlanMotion& motion, const PlanValues& start)
+                     const PlanMotion& motion, const PlanValues& read, double t)
     : system_(&system),
       frame_(frame),
       equations_(&equations),
@@ -25,9 +25,7 @@ PlanCurve::PlanCurve(const ConstraintSystem& system, const Frame& frame, const G
     throw NotApplicable("the construction plan has " + std::to_string(guides) +
                         " guide parameters and removes " + std::to_string(removed) +
                         " constraints: the system is not well-constrained");
-  for (const double guide : start.guides) start_.push_back(guide / motion.unit());
-  for (const double height : start.heights) start_.push_back(height / motion.unit());
-  start_.push_back(0);
+  start_ = point(read, t);
   std::vector<double> values(m_);
   Matrix<double> derivatives(m_, m_ + 1);
   if (!jacobian(start_, values, derivatives)) return;
@@ -92,17 +90,34 @@ bool PlanCurve::jacobian(std::span<const double> v, std::span<double> result, Ma
   return true;
 }
 
-std::vector<double> PlanCurve::unknowns(std::span<const double> v) const {
+std::vector<double> PlanCurve::point(const PlanValues& read, double t) const {
+  std::vector<double> v;
+  for (const double guide : read.guides) v.push_back(guide / motion_->unit());
+  for (const double height : read.heights) v.push_back(height / motion_->unit());
+  v.push_back(t);
+  return v;
+}
+
+std::vector<double> PlanCurve::point(const Figure& figure, double t) const {
+  const Figure there = in_frame(*system_, program_->plan(), figure);
+  return point(PlanEvaluator(*program_).read(there, motion_->parameters(t)), t);
+}
+
+Figure PlanCurve::figure(std::span<const double> v) const {
   std::vector<double> unused(m_);
   const auto seed = [](double value, std::size_t, double) { return value; };
   carry_out(run_, v, seed, std::span(unused));
   const std::size_t d = program_->dimension();
-  Figure figure;
+  Figure result;
   for (std::size_t p = 0; p < program_->points(); ++p) {
     const auto first = run_.variables().begin() + static_cast<std::ptrdiff_t>(p * d);
-    figure.emplace_back(first, first + static_cast<std::ptrdiff_t>(d));
+    result.emplace_back(first, first + static_cast<std::ptrdiff_t>(d));
   }
-  std::vector<double> result = unknowns_of(*equations_, in_frame_or_on_line(*system_, frame_, figure));
+  return result;
+}
+
+std::vector<double> PlanCurve::unknowns(std::span<const double> v) const {
+  std::vector<double> result = unknowns_of(*equations_, in_frame_or_on_line(*system_, frame_, figure(v)));
   if (equations_->auxiliaries > 0)
     result = fit_auxiliaries(*system_, *equations_, std::move(result)).unknowns;
   return result;

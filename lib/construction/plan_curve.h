@@ -20,23 +20,28 @@ namespace gcslab {
 
 class PlanCurve final : public FigureCurve {
  public:
-  /// `start` are the guides and heights of a figure, with the parameters and offsets of t = 0. All that is
+  /// `read` has the guides and heights of a figure of the curve at t, near which it is balanced. All that is
   /// given must outlive it. Throws NotApplicable unless the removed constraints are as many as the guides.
   PlanCurve(const ConstraintSystem& system, const Frame& frame, const GeometricEquations& equations,
-            const PlanMotion& motion, const PlanValues& start);
+            const PlanMotion& motion, const PlanValues& read, double t = 0);
 
   std::size_t size() const override { return m_; }
   bool values(std::span<const double> v, std::span<double> result) override;
   bool jacobian(std::span<const double> v, std::span<double> result, Matrix<double>& derivatives) override;
   std::vector<double> unknowns(std::span<const double> v) const override;
 
-  /// The point of the values that it was made with, with t = 0.
+  /// The point of the values that it was made with.
   const std::vector<double>& start() const { return start_; }
+  /// The point of a figure at t: what the plan needs to construct it.
+  std::vector<double> point(const Figure& figure, double t) const;
+  /// The figure that the plan constructs, in its own frame.
+  Figure figure(std::span<const double> v) const;
 
  private:
   /// So many derivatives at a time.
   static constexpr std::size_t kSlopes = 8;
 
+  std::vector<double> point(const PlanValues& read, double t) const;
   template <class T, class Seed>
   bool carry_out(PlanRun<T>& run, std::span<const double> v, const Seed& seed, std::span<T> result) const;
 

@@ -27,12 +27,18 @@ class PlanMotion {
   double unit() const { return unit_; }
   std::size_t guides() const { return program_->plan().guides.size(); }
 
+  /// Those of the constraint system at t; they live as long as it and no other t is asked for.
+  const std::vector<double>& parameters(double t) const {
+    path_->at(t, parameters_, speeds_);
+    return parameters_;
+  }
+
   /// Sets the variables of a run for the guides and t. `seed(value, column, speed)` makes the number that
   /// moves with coordinate number `column` at that speed: guides are coordinates 0, 1, ..., t is `t_column`.
   template <class T, class Seed>
   void set(PlanRun<T>& run, std::span<const double> guides, double t, std::size_t t_column,
            const Seed& seed) const {
-    path_->at(t, parameters_, speeds_);
+    parameters(t);
     std::vector<T>& x = run.variables();
     for (std::size_t p = 0; p < parameters_.size(); ++p)
       x[program_->parameter(p)] = seed(parameters_[p], t_column, speeds_[p]);

@@ -91,16 +91,20 @@ void each_frame(std::size_t points, std::size_t size, std::vector<std::size_t>& 
 
 }  // namespace
 
-std::vector<std::size_t> forward_order(const PlacingConstraints& constraints, std::size_t dimension) {
-  std::vector<std::size_t> best, frame;
-  int least = std::numeric_limits<int>::max();
+std::vector<std::vector<std::size_t>> forward_orders(const PlacingConstraints& constraints,
+                                                     std::size_t dimension) {
+  std::vector<std::pair<int, std::vector<std::size_t>>> counted;
+  std::vector<std::size_t> frame;
   const std::size_t size = std::min(dimension, constraints.points());
   each_frame(constraints.points(), size, frame, [&](const std::vector<std::size_t>& start) {
-    const std::vector<std::size_t> order = forward_from(constraints, start);
+    std::vector<std::size_t> order = forward_from(constraints, start);
     const int guides = guides_of(constraints, order);
-    if (guides < least) best = order, least = guides;
+    counted.emplace_back(guides, std::move(order));
   });
-  return best;
+  std::ranges::stable_sort(counted, {}, &std::pair<int, std::vector<std::size_t>>::first);
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [guides, order] : counted) result.push_back(std::move(order));
+  return result;
 }
 
 std::optional<std::vector<std::size_t>> order_without_guides(const PlacingConstraints& constraints,

@@ -36,8 +36,10 @@ class PlacingConstraints {
   std::vector<std::vector<Use>> of_point_;
 };
 
-/// Forward from every frame, the order with the fewest guides; of these the first.
-std::vector<std::size_t> forward_order(const PlacingConstraints& constraints, std::size_t dimension);
+/// Forward from every frame, an order each: those with the fewest guides first, of these in the order of the
+/// frames.
+std::vector<std::vector<std::size_t>> forward_orders(const PlacingConstraints& constraints,
+                                                     std::size_t dimension);
 /// Backward (Gao's algorithm).
 std::vector<std::size_t> gao_order(const PlacingConstraints& constraints, std::size_t dimension);
 /// One with the least number of guides, by dynamic programming over sets of points. Throws NotApplicable for

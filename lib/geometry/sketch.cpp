@@ -1,5 +1,6 @@
 #include "geometry/sketch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -151,6 +152,22 @@ Figure in_frame_or_on_line(const ConstraintSystem& system, const Frame& frame, c
 
 bool is_frame_flat(const Frame& frame, const Figure& figure) {
   return frame_axes(frame, figure).size() + 1 < frame.size();
+}
+
+double frame_height(const Frame& frame, const Figure& figure) {
+  if (frame.size() < 3) return 1;
+  const Numbers &a = figure[frame[0]], &b = figure[frame[1]], &c = figure[frame[2]];
+  double longest = 0;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&a, &c), std::pair(&b, &c)}) {
+    const Numbers side = difference(*from, *to);
+    longest = std::max(longest, std::sqrt(dot(side, side)));
+  }
+  const Numbers axis = next_axis(difference(b, a), {}, 0);
+  if (axis.empty()) return 0;
+  Numbers rest = difference(c, a);
+  const double along = dot(rest, axis);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= along * axis[i];
+  return std::sqrt(dot(rest, rest)) / longest;
 }
 
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure) {

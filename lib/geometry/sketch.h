@@ -22,6 +22,10 @@ Figure in_frame_or_on_line(const ConstraintSystem& system, const Frame& frame, c
 /// Whether the points of the frame are on a line (in the plane: at one place), so that in_frame throws.
 bool is_frame_flat(const Frame& frame, const Figure& figure);
 
+/// How far the points of a frame in space are from a line: the height of their triangle over its longest
+/// side. In the plane: 1.
+double frame_height(const Frame& frame, const Figure& figure);
+
 /// What the figure shows for each parameter: the measure of the first constraint that has it. Throws
 /// InputError that names the constraint when its measure is undefined there.
 std::vector<double> parameters_of(const ConstraintSystem& system, const Figure& figure);

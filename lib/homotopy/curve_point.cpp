@@ -1,9 +1,28 @@
 #include "homotopy/curve_point.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+
 namespace gcslab {
+namespace {
+
+/// A kernel vector of the Jacobian at a point.
+std::vector<double> direction_of_kernel(Curve& curve, const std::vector<double>& v) {
+  const auto m = static_cast<Eigen::Index>(curve.size());
+  std::vector<double> values(curve.size());
+  Matrix<double> jacobian(curve.size(), curve.size() + 1);
+  curve.jacobian(v, values, jacobian);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Map<const RowMajor>(jacobian.data(), m, m + 1),
+                                              Eigen::ComputeFullV);
+  const Eigen::VectorXd last = svd.matrixV().col(m);
+  return {last.data(), last.data() + last.size()};
+}
+
+}  // namespace
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -54,6 +73,21 @@ double TangentSolver::polish(CurvePoint& point) {
   matrix_.solve(values_, 0, change_);
   for (std::size_t i = 0; i < change_.size(); ++i) point.v[i] -= change_[i];
   return norm(change_);
+}
+
+CurvePoint starting_point(Curve& curve, const std::vector<double>& start) {
+  CurvePoint result{start, {}};
+  std::vector<double> values(curve.size());
+  Matrix<double> jacobian(curve.size(), curve.size() + 1);
+  if (!curve.jacobian(start, values, jacobian))
+    throw NotApplicable("the sketch has points at which the equations are undefined");
+  TangentSolver tangents(curve);
+  std::vector<double> border(start.size(), 0.0);
+  border.back() = 1;
+  if (!tangents.find(result, border) && !tangents.find(result, direction_of_kernel(curve, start)))
+    throw NotApplicable(
+        "the sketch is singular: its constraints depend on each other there, draw it otherwise");
+  return result;
 }
 
 }  // namespace gcslab

@@ -65,4 +65,8 @@ class TangentSolver {
   Matrix<double> jacobian_;
 };
 
+/// The point with the tangent on the side of growing t; on either side where t turns back. Throws
+/// NotApplicable, with the reason, where the Jacobian is undefined or has no full rank.
+CurvePoint starting_point(Curve& curve, const std::vector<double>& start);
+
 }  // namespace gcslab

@@ -1,6 +1,7 @@
 #include "homotopy/level_crossing.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "homotopy/corrector.h"
@@ -159,18 +160,45 @@ std::size_t rank_at(Curve& curve, const std::vector<double>& v) {
   return static_cast<std::size_t>(decomposition.rank());
 }
 
-std::optional<LevelPoint> point_at(double level, Curve& curve, const CurvePoint& a, const CurvePoint& b) {
+namespace {
+
+/// The point of the cubic between two points on either side of a level at which t is that.
+std::vector<double> point_where(double level, const CurvePoint& a, const CurvePoint& b) {
   const Cubic t = cubic_of_t(a, b);
   double low = 0, high = 1;
   for (int k = 0; k < 40; ++k) {
     const double middle = (low + high) / 2;
     ((t.at(middle) - level) * (t.start - level) > 0 ? low : high) = middle;
   }
-  LevelPoint result{point_between(a, b, high), curve.size()};
-  result.v.back() = level;
+  std::vector<double> v = point_between(a, b, high);
+  v.back() = level;
+  return v;
+}
+
+/// Where the curve meets a level on which the Jacobian is singular, as on a continuum of solutions, from
+/// points on either side, where it is not: to the fourth power of how far they are.
+std::optional<std::vector<double>> limit_at(double level, Curve& curve, const CurvePoint& a,
+                                            const CurvePoint& b) {
+  constexpr double kAside = 1e-3;
+  TangentSolver tangents(curve);
+  const auto aside = [&](const CurvePoint& end) -> std::optional<CurvePoint> {
+    const double away = std::clamp((end.v.back() - level) / 2, -kAside, kAside);
+    CurvePoint point{point_where(level + away, a, b), {}};
+    if (!solve_at_level(curve, point.v) || !tangents.find(point, end.tangent)) return std::nullopt;
+    return point;
+  };
+  const std::optional<CurvePoint> before = aside(a), after = aside(b);
+  if (!before || !after) return std::nullopt;
+  return point_where(level, *before, *after);
+}
+
+}  // namespace
+
+std::optional<LevelPoint> point_at(double level, Curve& curve, const CurvePoint& a, const CurvePoint& b) {
+  LevelPoint result{point_where(level, a, b), curve.size()};
   const std::vector<double> found = result.v;
   if (solve_at_level(curve, result.v)) return result;
-  result.v = found;
+  result.v = limit_at(level, curve, a, b).value_or(found);
   const std::optional<std::size_t> rank = solve_singular(curve, result.v);
   if (!rank) return std::nullopt;
   result.rank = *rank;

@@ -1,11 +1,11 @@
 #include "homotopy/path_tracker.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/error.h"
+#include "homotopy/charted_curve.h"
 #include "homotopy/critical_point.h"
 #include "homotopy/level_crossing.h"
 #include "homotopy/path_certifier.h"
@@ -20,33 +20,30 @@ struct Jump {
   Path path;  ///< so far
 };
 
-/// A kernel vector of the Jacobian at a point.
-std::vector<double> direction_of_kernel(Curve& curve, const std::vector<double>& v) {
-  const auto m = static_cast<Eigen::Index>(curve.size());
-  std::vector<double> values(curve.size());
-  Matrix<double> jacobian(curve.size(), curve.size() + 1);
-  curve.jacobian(v, values, jacobian);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Map<const RowMajor>(jacobian.data(), m, m + 1),
-                                              Eigen::ComputeFullV);
-  const Eigen::VectorXd last = svd.matrixV().col(m);
-  return {last.data(), last.data() + last.size()};
-}
+/// What works on points of a curve of that size.
+struct Tools {
+  Tools(Curve& curve, const TrackerOptions& options, Curve* precise)
+      : predictor(predictor_registry().at(options.predictor).make(curve)),
+        corrector(curve, corrector_options(options)),
+        exact_corrector(curve, {CorrectorKind::newton, 1e-12}),
+        smooth_step(curve),
+        precise_corrector(precise == nullptr ? curve : *precise, {CorrectorKind::newton, 1e-13}),
+        at_here(curve),
+        at_next(curve) {}
 
-CurvePoint starting_point(Curve& curve, const std::vector<double>& start) {
-  CurvePoint result{start, {}};
-  std::vector<double> values(curve.size());
-  Matrix<double> jacobian(curve.size(), curve.size() + 1);
-  if (!curve.jacobian(start, values, jacobian))
-    throw NotApplicable("the sketch has points at which the equations are undefined");
-  TangentSolver tangents(curve);
-  std::vector<double> border(start.size(), 0.0);
-  border.back() = 1;
-  if (!tangents.find(result, border) && !tangents.find(result, direction_of_kernel(curve, start)))
-    throw NotApplicable(
-        "the sketch is singular: its constraints depend on each other there, draw it otherwise");
-  return result;
-}
+  static CorrectorOptions corrector_options(const TrackerOptions& options) {
+    CorrectorOptions result = options.corrector;
+    result.is_polished_after = options.step_control == StepControl::adaptive;
+    return result;
+  }
+
+  std::unique_ptr<Predictor> predictor;
+  Corrector corrector;
+  Corrector exact_corrector;
+  SmoothStep smooth_step;
+  Corrector precise_corrector;
+  TangentSolver at_here, at_next;
+};
 
 class Tracker {
  public:
@@ -57,19 +54,13 @@ class Tracker {
         stop_(stop),
         aids_(&aids),
         certifier_(aids.certifier),
-        predictor_(predictor_registry().at(options.predictor).make(curve)),
-        corrector_(curve, corrector_options(options)),
-        exact_corrector_(curve, {CorrectorKind::newton, 1e-12}),
-        smooth_step_(curve),
-        precise_corrector_(aids.precise == nullptr ? curve : *aids.precise, {CorrectorKind::newton, 1e-13}),
-        at_here_(curve),
-        at_next_(curve),
+        tools_(curve, options, aids.precise),
         start_(starting_point(curve, start)) {}
 
   Path follow(const PathState* from) {
     if (from != nullptr) {
       state_ = *from;
-      if (!at_here_.find(state_.here, std::vector(state_.here.tangent)))
+      if (!tools_.at_here.find(state_.here, std::vector(state_.here.tangent)))
         throw NotApplicable("the state to go on from is on no path of this problem");
     } else {
       set_out(1);
@@ -78,24 +69,29 @@ class Tracker {
       const PathEnd end = run();
       Path& path = state_.path;
       path.end = path.other_end = end;
-      path.last = path.other_last = end == PathEnd::cycle ? start_.v : state_.here.v;
+      path.last = path.other_last = chartless(end == PathEnd::cycle ? start_.v : state_.here.v);
       if (end == PathEnd::cycle || end == PathEnd::budget) return std::move(path);
       set_out(-1);
     }
     state_.path.other_end = run();
-    state_.path.other_last = state_.here.v;
+    state_.path.other_last = chartless(state_.here.v);
     return std::move(state_.path);
   }
 
  private:
   void set_out(int direction) {
+    if (aids_->charts != nullptr && state_.path.chart_changes > 0) {
+      start_ = starting_point(*curve_, aids_->charts->begin());
+      tools_ = Tools(*curve_, *options_, aids_->precise);
+      is_start_in_chart_ = true;
+    }
     state_.direction = direction;
     state_.here = start_;
     if (direction < 0) {
       for (double& x : state_.here.tangent) x = -x;
     }
     const std::vector<double> border = state_.here.tangent;
-    at_here_.find(state_.here, border);
+    tools_.at_here.find(state_.here, border);
     state_.before.reset();
     state_.step = options_->first_step;
     state_.length = 0;
@@ -113,19 +109,57 @@ class Tracker {
         if (options_->step_control == StepControl::fixed) throw Jump{std::move(state_.path)};
         state_.step /= 2;
         if (state_.step < kSmallStep && !is_exact_) improve_here();
-        if (state_.step < options_->least_step) return where_no_step_succeeds();
+        if (state_.step >= options_->least_step) continue;
+        if (!has_moved_ || !goes_on_in_other_chart(true)) return where_no_step_succeeds();
+        has_moved_ = false;
+        state_.step = options_->first_step;
         continue;
       }
       const std::optional<PathEnd> end = accept();
       if (aids_->observer) aids_->observer(state_);
       if (end) return *end;
+      has_moved_ = true;
+      goes_on_in_other_chart(false);
     }
     return PathEnd::budget;
   }
 
+  /// Takes the current point over to a better chart; whether there is one.
+  bool goes_on_in_other_chart(bool is_stuck) {
+    constexpr double kAhead = 1e-6;
+    ChartedCurve* const charts = aids_->charts;
+    std::vector<double> ahead = state_.here.v;
+    if (charts == nullptr || !charts->change_at(ahead, is_stuck)) return false;
+    for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] += kAhead * state_.here.tangent[i];
+    CurvePoint moved{charts->carried_over(state_.here.v), {}};
+    ahead = charts->carried_over(ahead);
+    for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] -= moved.v[i];
+    tools_ = Tools(*curve_, *options_, aids_->precise);
+    ++state_.path.chart_changes;
+    if (!tools_.at_here.find(moved, ahead)) throw Jump{std::move(state_.path)};
+    tools_.exact_corrector.correct(CurvePoint(moved), tools_.at_here.matrix(), state_.step, moved.v);
+    state_.here = state_.landmark = std::move(moved);
+    state_.steps_to_next_landmark = state_.path.steps + 1;
+    state_.before.reset();
+    const std::optional<std::vector<double>> start = charts->start();
+    is_start_in_chart_ = start.has_value();
+    if (start) start_ = starting_point(*curve_, *start);
+    return true;
+  }
+
+  std::vector<double> chartless(const std::vector<double>& v) const {
+    return aids_->charts == nullptr ? v : aids_->charts->chartless(v);
+  }
+
+  Crossing crossing(const std::vector<double>& v, double length, std::size_t rank, bool is_touching) const {
+    Crossing result{chartless(v), length, rank, is_touching};
+    result.rank += result.v.size() - v.size();  // other coordinates, as many equations more
+    return result;
+  }
+
   PathEnd where_no_step_succeeds() const {
     constexpr double kSingular = 1e13;  // of the quotient of pivots: doubles tell no direction there
-    const bool is_regular = at_here_.matrix().pivot_ratio() < kSingular;
+    const bool is_regular = tools_.at_here.matrix().pivot_ratio() < kSingular;
     return is_defined_ && is_regular ? PathEnd::stuck : PathEnd::to_undefined;
   }
 
@@ -135,9 +169,11 @@ class Tracker {
   void improve_here() {
     is_exact_ = true;
     std::vector<double> v = state_.here.v;
-    if (precise_corrector_.correct(state_.here, at_here_.matrix(), 1, v).end != Correction::End::done) return;
+    if (tools_.precise_corrector.correct(state_.here, tools_.at_here.matrix(), 1, v).end !=
+        Correction::End::done)
+      return;
     CurvePoint better{std::move(v), {}};
-    if (at_here_.find(better, std::vector(state_.here.tangent))) state_.here = std::move(better);
+    if (tools_.at_here.find(better, std::vector(state_.here.tangent))) state_.here = std::move(better);
   }
 
   /// Finds the next point; false where the step was too long.
@@ -145,20 +181,20 @@ class Tracker {
     is_turn_ = false;
     const CurvePoint& here = state_.here;
     const CurvePoint* before = state_.before ? &*state_.before : nullptr;
-    is_defined_ = predictor_->predict(here, before, state_.step, next_.v);
+    is_defined_ = tools_.predictor->predict(here, before, state_.step, next_.v);
     if (!is_defined_) return false;
     const bool is_precise = aids_->precise != nullptr && state_.step < kSmallStep;
     if (is_precise) ++state_.path.precise_steps;
-    Corrector& corrector = is_precise ? precise_corrector_ : corrector_;
-    const Correction correction = corrector.correct(here, at_here_.matrix(), state_.step, next_.v);
+    Corrector& corrector = is_precise ? tools_.precise_corrector : tools_.corrector;
+    const Correction correction = corrector.correct(here, tools_.at_here.matrix(), state_.step, next_.v);
     is_defined_ = correction.end != Correction::End::undefined;
     if (correction.end != Correction::End::done) return false;
     const bool is_adaptive = options_->step_control == StepControl::adaptive;
     if (is_adaptive && correction.first > kLargestDeviation * state_.step) return false;
-    is_defined_ = at_next_.find(next_, here.tangent);
+    is_defined_ = tools_.at_next.find(next_, here.tangent);
     if (!is_defined_) return false;
     if (!is_adaptive) return true;
-    if (!is_precise && !(at_next_.polish(next_) <= largest_polish())) return false;
+    if (!is_precise && !(tools_.at_next.polish(next_) <= largest_polish())) return false;
     const double cosine = dot(next_.tangent, here.tangent);
     if (!(cosine > std::cos(options_->largest_turn))) return false;
     if (!is_smooth()) return false;
@@ -168,12 +204,6 @@ class Tracker {
     if (certifier_ != nullptr && !is_proved_or_a_leap()) return false;
     set_growth(correction, std::acos(std::min(cosine, 1.0)));
     return true;
-  }
-
-  static CorrectorOptions corrector_options(const TrackerOptions& options) {
-    CorrectorOptions result = options.corrector;
-    result.is_polished_after = options.step_control == StepControl::adaptive;
-    return result;
   }
 
   /// What a correction leaves, with some room for what it cannot know.
@@ -196,7 +226,7 @@ class Tracker {
       next_.v = here.v;
       for (std::size_t i = 0; i < next_.v.size(); ++i) next_.v[i] += step * here.tangent[i];
       next_.v.back() = target;
-      if (solve_at_level(*curve_, next_.v) && at_next_.find(next_, here.tangent)) return true;
+      if (solve_at_level(*curve_, next_.v) && tools_.at_next.find(next_, here.tangent)) return true;
     }
     return false;
   }
@@ -206,14 +236,14 @@ class Tracker {
     constexpr double kLargestHalfWay = 0.002;  // in steps
     const CurvePoint& here = state_.here;
     const double rounding = options_->corrector.tolerance * (1 + largest(here.v));
-    return smooth_step_.distance_half_way(at_next_.matrix(), here, next_) <=
+    return tools_.smooth_step.distance_half_way(tools_.at_next.matrix(), here, next_) <=
            kLargestHalfWay * distance(here.v, next_.v) + rounding;
   }
 
   /// Cuts the step where t turns back near 1: then it is seen whether it crosses.
   bool ends_at_turning_point() {
     std::optional<CurvePoint> turn = turning_point(*curve_, state_.here, next_);
-    if (!turn || !at_next_.find(*turn, state_.here.tangent)) return false;
+    if (!turn || !tools_.at_next.find(*turn, state_.here.tangent)) return false;
     next_ = std::move(*turn);
     is_turn_ = true;
     return true;
@@ -222,7 +252,8 @@ class Tracker {
   void set_growth(const Correction& correction, double turn) {
     const double aimed = options_->deviation * state_.step;
     const double error = std::max(correction.first, 1e-300);
-    growth_ = std::clamp(std::pow(aimed / error, 1.0 / (state_.before ? predictor_->order() : 2)), 0.5, 2.0);
+    growth_ =
+        std::clamp(std::pow(aimed / error, 1.0 / (state_.before ? tools_.predictor->order() : 2)), 0.5, 2.0);
     if (turn > 0) growth_ = std::min(growth_, std::max(0.5, 0.7 * options_->largest_turn / turn));
   }
 
@@ -260,17 +291,17 @@ class Tracker {
     ++path.steps;
     const double travelled = distance(here.v, next_.v);
     const double middle = state_.direction * (state_.length + travelled / 2);
-    if (branch_point_) path.branch_points.push_back({std::move(*branch_point_), middle});
+    if (branch_point_) path.branch_points.push_back({chartless(*branch_point_), middle});
     branch_point_.reset();
     if (is_turn_ && std::abs(next_.v.back() - 1) < kTouching) {
       next_.v.back() = 1;
-      path.crossings.push_back({next_.v, middle, rank_at(*curve_, next_.v), true});
+      path.crossings.push_back(crossing(next_.v, middle, rank_at(*curve_, next_.v), true));
     } else if (crosses(1, here, next_)) {
       if (auto point = point_at(1, *curve_, here, next_))
-        path.crossings.push_back({std::move(point->v), middle, point->rank});
+        path.crossings.push_back(crossing(point->v, middle, point->rank, false));
     }
     // Not in the first step from there: the point may have been improved, and lie a little before itself.
-    const bool is_back = state_.before && passes_through(start_, here);
+    const bool is_back = state_.length > 0 && is_start_in_chart_ && passes_through(start_, here);
     path.length += is_back ? distance(here.v, start_.v) : travelled;
     const bool is_first_from_landmark = state_.steps_to_next_landmark == path.steps;
     const bool is_loop = !is_back && state_.steps_to_next_landmark > 1 && !is_first_from_landmark &&
@@ -278,7 +309,7 @@ class Tracker {
     state_.length += travelled;
     state_.before = std::exchange(state_.here, next_);
     is_exact_ = false;
-    std::swap(at_here_, at_next_);
+    std::swap(tools_.at_here, tools_.at_next);
     if (is_loop || (is_back && is_odd())) throw Jump{std::move(path)};
     path.is_return_proved = is_back && is_return_proved_;
     if (is_back) return PathEnd::cycle;
@@ -299,7 +330,7 @@ class Tracker {
   /// Brent's way to notice loops: the landmark moves after 1, 2, 4, ... steps.
   void move_landmark() {
     if (--state_.steps_to_next_landmark > 0) return;
-    exact_corrector_.correct(CurvePoint(state_.here), at_here_.matrix(), 1, state_.here.v);
+    tools_.exact_corrector.correct(CurvePoint(state_.here), tools_.at_here.matrix(), 1, state_.here.v);
     state_.landmark = state_.here;
     state_.steps_to_next_landmark = state_.path.steps + 1;
   }
@@ -321,7 +352,7 @@ class Tracker {
       (height(point_between(here, next_, middle)) < 0 ? low : high) = middle;
     }
     std::vector<double> v = point_between(here, next_, high);
-    exact_corrector_.correct(point, at_here_.matrix(), span, v);
+    tools_.exact_corrector.correct(point, tools_.at_here.matrix(), span, v);
     return distance(v, point.v) <= kNear * (1 + norm(point.v));
   }
 
@@ -334,16 +365,13 @@ class Tracker {
   std::stop_token stop_;
   const PathAids* aids_;
   PathCertifier* certifier_;
-  std::unique_ptr<Predictor> predictor_;
-  Corrector corrector_;
-  Corrector exact_corrector_;
-  SmoothStep smooth_step_;
-  Corrector precise_corrector_;
-  TangentSolver at_here_, at_next_;
+  Tools tools_;
   CurvePoint start_;
+  bool is_start_in_chart_ = true;
   CurvePoint next_;
   std::optional<std::vector<double>> branch_point_;
   double growth_ = 1;
+  bool has_moved_ = false;         ///< since the last change of chart
   bool is_turn_ = false;           ///< of t, at the next point
   bool is_return_proved_ = false;  ///< by the last step
   bool is_exact_ = false;          ///< the current point was improved
@@ -385,6 +413,7 @@ Path follow_path(Curve& curve, const std::vector<double>& start, const TrackerOp
   constexpr int kRestarts = 8;
   TrackerOptions attempt = options;
   for (int restarts = 0;; ++restarts) {
+    if (aids.charts != nullptr) aids.charts->begin();
     try {
       Path path = Tracker(curve, start, attempt, stop, aids).follow(restarts == 0 ? aids.from : nullptr);
       path.restarts += restarts;

@@ -26,6 +26,7 @@
 
 namespace gcslab {
 
+class ChartedCurve;
 class PathCertifier;
 
 enum class StepControl {
@@ -79,9 +80,10 @@ struct Path {
   std::vector<BranchPoint> branch_points;  ///< likewise
   double length = 0;
   std::uint64_t steps = 0;
-  std::uint64_t refused = 0;         ///< steps tried in vain
-  std::uint64_t precise_steps = 0;   ///< tried with more digits than doubles have
-  int restarts = 0;                  ///< after jumps that were noticed, or steps too long
+  std::uint64_t refused = 0;        ///< steps tried in vain
+  std::uint64_t precise_steps = 0;  ///< tried with more digits than doubles have
+  int restarts = 0;                 ///< after jumps that were noticed, or steps too long
+  std::uint64_t chart_changes = 0;
   std::uint64_t tubes = 0;           ///< of the proof, when one was asked for
   std::uint64_t unproved_steps = 0;  ///< across branch points, of which nothing is proved
   bool is_return_proved = false;     ///< that a cycle leads back to the start
@@ -111,6 +113,9 @@ struct PathAids {
   PathCertifier* certifier = nullptr;
   /// The same curve with more digits, for points where only small steps succeed.
   Curve* precise = nullptr;
+  /// The curve itself, where it has several charts: after each step, and where no step succeeds, the path
+  /// goes on in a better one. The points of the result are chartless ones, lengths those in the charts.
+  ChartedCurve* charts = nullptr;
 };
 
 /// Follows the path through `start`, whose last coordinate is 0 and where H vanishes up to rounding. Throws

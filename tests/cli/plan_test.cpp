@@ -21,7 +21,8 @@ class PlanMethods : public GcslabShell {
 };
 
 TEST_F(PlanMethods, FindTheOctahedronsFigures) {
-  for (const char* method : {"plan_path", "plan_pli", "plan_sampling", "plan_exploration"}) {
+  for (const char* method :
+       {"plan_path", "plan_path_adaptive", "plan_pli", "plan_sampling", "plan_exploration"}) {
     const Json result = solved(std::string("polyhedra/octahedron --method ") + method);
     EXPECT_EQ(result["classes"].size(), 4U) << method;
     EXPECT_EQ(result["completeness"], "none");
@@ -32,6 +33,28 @@ TEST_F(PlanMethods, FindTheOctahedronsFigures) {
     EXPECT_EQ(shell("$gcslab verify r.json").exit_code, 0) << method;
   }
   EXPECT_GT(solved("polyhedra/octahedron --method plan_pli")["plan"]["branch_changes"], 0);
+}
+
+TEST_F(PlanMethods, ChangeThePlanWhereItBecomesSingular) {
+  const std::string sketch = " --set random_sketch=4";
+  const Json one = solved("polyhedra/pentahedron --method plan_path" + sketch, 3);
+  EXPECT_TRUE(one["paths"][0].contains("plan_event"));
+  const Json result = solved("polyhedra/pentahedron --method plan_path_adaptive" + sketch);
+  const Json usual = solved("polyhedra/pentahedron --method sketch_path" + sketch);
+  EXPECT_EQ(result["paths"][0]["type"], "cycle");
+  EXPECT_EQ(result["classes"].size(), usual["classes"].size());
+  EXPECT_GT(one["classes"].size(), 0U);
+  EXPECT_LT(one["classes"].size(), usual["classes"].size());
+  EXPECT_GT(result["plan"]["plans"], 1);
+  EXPECT_GE(result["plan"]["plan_changes"], result["plan"]["plans"].get<int>() - 1);
+}
+
+/// What touches flat figures of a continuum of solutions is found once, on whichever side.
+TEST_F(PlanMethods, ListEachFigureOfAContinuumOnceHoweverThePathComesThere) {
+  const Json result = solved("polyhedra/hexahedron --method plan_path_adaptive");
+  const Json usual = solved("polyhedra/hexahedron --method sketch_path");
+  EXPECT_EQ(result["paths"][0]["type"], "cycle");
+  EXPECT_EQ(result["classes"].size(), usual["classes"].size());
 }
 
 TEST_F(PlanMethods, ExploreFromThePentahedronsSketch) {
