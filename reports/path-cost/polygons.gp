@@ -31,7 +31,7 @@ set logscale x
 set xrange [5.833333333333334:361.2]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [0.9433333333333332:436.81080000000003]
+set yrange [0.96:415.8888]
 set ytics ('1' 1, '10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3

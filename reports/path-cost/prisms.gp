@@ -31,7 +31,7 @@ set logscale x
 set xrange [10:356.4]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [1.6441666666666668:920.9136]
+set yrange [1.6608333333333334:920.4204000000001]
 set ytics ('10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3

@@ -31,7 +31,7 @@ set logscale x
 set xrange [5:360]
 set xtics ('10' 10, '100' 100)
 set logscale y
-set yrange [0.8424999999999999:642.1475999999999]
+set yrange [0.8516666666666667:612.1392000000001]
 set ytics ('1' 1, '10' 10, '100' 100)
 set grid ytics lt 1 lw 0.3 lc rgb '#DDDDDD'
 set border 3
