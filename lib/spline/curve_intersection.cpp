@@ -1,0 +1,1 @@
+#include "spline/curve.h"
