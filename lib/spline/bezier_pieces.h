@@ -64,7 +64,7 @@ KnotRemoval<T> curve_from_pieces(const std::vector<BezierPiece<T>>& pieces, cons
   return simplified(joined(curves), tolerance);
 }
 
-/// A piece made ready for many parameters.
+/// A piece made ready for many parameters. It belongs to one thread.
 template <class T>
 class BezierEvaluator {
  public:
@@ -81,25 +81,59 @@ class BezierEvaluator {
     }
   }
 
-  /// The value at u; `result` has the dimension of the piece.
-  void evaluate(const T& u, std::span<T> result) const {
-    const std::size_t dimension = weighted_.columns();
-    const T t = (u - start_) * scale_;
-    const T s = (end_ - u) * scale_;
-    T power = t;
-    std::copy(weighted_.row(0).begin(), weighted_.row(0).end(), result.begin());
-    for (std::size_t i = 1; i < weighted_.rows(); ++i) {
-      const T* row = weighted_.data() + i * dimension;
-      for (std::size_t c = 0; c < dimension; ++c) result[c] = result[c] * s + power * row[c];
-      power = power * t;
+  /// The values at the parameters, one after the other; `values` has room for all of their coordinates.
+  void evaluate(std::span<const T> parameters, T* values) {
+    for (std::size_t i = 0; i < parameters.size(); i += kBlock) {
+      const std::size_t count = std::min(kBlock, parameters.size() - i);
+      prepare(parameters.subspan(i, count));
+      for (std::size_t c = 0; c < weighted_.columns(); ++c)
+        evaluate_coordinate(c, count, values + i * weighted_.columns() + c);
     }
   }
 
  private:
+  /// Parameters that are worked on together, one operation on all before the next, so that compilers make
+  /// vector code of it.
+  static constexpr std::size_t kBlock = 64;
+
+  /// s and the powers of t.
+  void prepare(std::span<const T> parameters) {
+    const std::size_t degree = weighted_.rows() - 1;
+    if (powers_.columns() < parameters.size()) {
+      powers_ = Matrix<T>(degree, parameters.size());
+      complements_.resize(parameters.size());
+      sums_.resize(parameters.size());
+    }
+    for (std::size_t j = 0; j < parameters.size(); ++j) complements_[j] = (end_ - parameters[j]) * scale_;
+    if (degree == 0) return;
+    T* first = powers_.row(0).data();
+    for (std::size_t j = 0; j < parameters.size(); ++j) first[j] = (parameters[j] - start_) * scale_;
+    for (std::size_t i = 1; i < degree; ++i) {
+      const T* last = powers_.row(i - 1).data();
+      T* next = powers_.row(i).data();
+      for (std::size_t j = 0; j < parameters.size(); ++j) next[j] = last[j] * first[j];
+    }
+  }
+
+  void evaluate_coordinate(std::size_t c, std::size_t count, T* values) {
+    T* sums = sums_.data();
+    const T* s = complements_.data();
+    for (std::size_t j = 0; j < count; ++j) sums[j] = weighted_(0, c);
+    for (std::size_t i = 1; i < weighted_.rows(); ++i) {
+      const T coefficient = weighted_(i, c);
+      const T* power = powers_.row(i - 1).data();
+      for (std::size_t j = 0; j < count; ++j) sums[j] = sums[j] * s[j] + power[j] * coefficient;
+    }
+    for (std::size_t j = 0; j < count; ++j) values[j * weighted_.columns()] = sums[j];
+  }
+
   T start_;
   T end_;
   T scale_;
   Matrix<T> weighted_;  ///< binomial(d, i) b_i
+  Matrix<T> powers_;    ///< of t, from the first on, one parameter a column
+  std::vector<T> complements_;
+  std::vector<T> sums_;
 };
 
 }  // namespace gcslab

@@ -4,10 +4,13 @@
 //
 // Let u = u_r, its last copy, have multiplicity s. A curve over the knots without u_r has points Q with
 //   P_i = a_i Q_i + (1 - a_i) Q_{i-1},  r - d <= i <= r - s,  a_i = (u - v_i) / (v_{i+d} - v_i),
-// v the coarser knots (Boehm's insertion read backwards): one equation more than unknowns. The first half is
-// solved from the left, the second from the right; what the equation in the middle, i = c, lacks is e, and
-// the curve moves by N_c(u) e, at most |e| in each coordinate (Tiller 1992; Piegl, Tiller 1997, algorithm
-// A5.8). For s = d + 1 there is no unknown: the two points at the jump become one.
+// v the coarser knots (Boehm's insertion read backwards): one equation more than unknowns. Those before one
+// equation, i = c, are solved from the left, those after it from the right; what it lacks itself is e_c, and
+// the curve moves by N_c(u) e_c, at most |e_c| in each coordinate (Tiller 1992; Piegl, Tiller 1997, algorithm
+// A5.8, with c in the middle). The equations are dependent with factors y, y_{i+1} / y_i = -a_i / (1 -
+// a_{i+1}), so that y_c e_c is the same for all c: the one with the largest |y_c| moves the curve least, and
+// nowhere divides by what is small beside it. For s = d + 1 there is no unknown: the two points at the jump
+// become one.
 
 #include "spline/curve.h"
 
@@ -22,6 +25,22 @@ struct KnotRemoval {
 
 namespace spline_detail {
 
+/// The equation with the largest |y|.
+template <class T, class Weight>
+std::size_t equation_left_open(std::size_t first, std::size_t last, const Weight& weight) {
+  const T one = whole_number<T>(1);
+  T factor = one;  // |y_i|
+  T largest = one;
+  std::size_t result = first;
+  for (std::size_t i = first; i < last; ++i) {
+    factor = factor * weight(i) / (one - weight(i + 1));
+    if (!surely_less(largest, factor)) continue;
+    largest = factor;
+    result = i + 1;
+  }
+  return result;
+}
+
 /// The points without one knot, and the largest coordinate of |e|.
 template <class T>
 KnotRemoval<T> without_last_copy(const BSplineCurve<T>& curve, std::size_t r, std::size_t s) {
@@ -31,27 +50,27 @@ KnotRemoval<T> without_last_copy(const BSplineCurve<T>& curve, std::size_t r, st
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(r));
   const Matrix<T>& points = curve.points;
   Matrix<T> result(points.rows() - 1, curve.dimension());
-  const std::size_t first = r - degree;                       // of the equations
-  const std::size_t last = r - s;                             // of them; first - 1 for a jump
-  const std::size_t middle = first + (last + 1 - first) / 2;  // the equation that is left
-  const auto weight = [&](std::size_t i) { return T((u - knots[i]) / (knots[i + degree] - knots[i])); };
+  const std::size_t first = r - degree;  // of the equations
+  const std::size_t last = r - s;        // of them; first - 1 for a jump
   const T one = whole_number<T>(1);
+  const auto weight = [&](std::size_t i) { return T((u - knots[i]) / (knots[i + degree] - knots[i])); };
+  const std::size_t open = equation_left_open<T>(first, last, weight);
   T error = whole_number<T>(0);
   for (std::size_t c = 0; c < curve.dimension(); ++c) {
     for (std::size_t i = 0; i < first; ++i) result(i, c) = points(i, c);
     for (std::size_t i = last + 1; i < points.rows(); ++i) {
       if (i > first) result(i - 1, c) = points(i, c);
     }
-    for (std::size_t i = first; i < middle; ++i)
+    for (std::size_t i = first; i < open; ++i)
       result(i, c) = (points(i, c) - (one - weight(i)) * result(i - 1, c)) / weight(i);
-    for (std::size_t i = last; i > middle; --i)
+    for (std::size_t i = last; i > open; --i)
       result(i - 1, c) = (points(i, c) - weight(i) * result(i, c)) / (one - weight(i));
     T difference = whole_number<T>(0);
     if (last + 1 == first) {
       difference = points(first, c) - points(first - 1, c);
     } else {
-      difference = points(middle, c) -
-                   (weight(middle) * result(middle, c) + (one - weight(middle)) * result(middle - 1, c));
+      difference =
+          points(open, c) - (weight(open) * result(open, c) + (one - weight(open)) * result(open - 1, c));
     }
     error = max(error, T(abs(difference)));
   }

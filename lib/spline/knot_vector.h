@@ -170,8 +170,10 @@ std::vector<DistinctKnot<T>> KnotVector<T>::interior() const {
 
 template <class T>
 int KnotVector<T>::multiplicity(const T& value) const {
-  return static_cast<int>(
-      std::count_if(knots_.begin(), knots_.end(), [&](const T& knot) { return same_knot(knot, value); }));
+  const auto first = std::partition_point(knots_.begin(), knots_.end(),
+                                          [&](const T& knot) { return surely_less(knot, value); });
+  const auto last = std::find_if(first, knots_.end(), [&](const T& knot) { return !same_knot(knot, value); });
+  return static_cast<int>(last - first);
 }
 
 template <class T>
