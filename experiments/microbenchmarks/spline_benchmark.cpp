@@ -1,9 +1,8 @@
-// B-spline curves in the plane, 21 control points unless said otherwise:
-//   spline/de_boor/<degree>             de Boor's algorithm at each of 10^6 ordered parameters, no
-//   allocation, spline/grid/<degree>                the same parameters by one pass over the spans
-//   (curve_grid.h), spline/<way>_of_points/<n>/<degree> both against the number n + 1 of control points,
-//   spline/insertion|elevation|bezier/<n>/<degree>, spline/intersection/<n>/<degree>
-// Counter `parameters_per_s` where parameters are evaluated.
+// B-spline curves in the plane, as `spline/<what>/<n>/<degree>` with n + 1 control points: de_boor (de Boor's
+// algorithm at each of 10^6 ordered parameters), grid (the same by one pass over the spans, curve_grid.h),
+// insertion (a knot in the middle of each span), elevation (by one degree), bezier (all pieces), intersection
+// (of two spirals). Counters: parameters_per_s; points and undecided ones of intersections. The two ways to
+// evaluate side by side: --benchmark_filter='^spline/(de_boor|grid)'
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -101,23 +100,21 @@ void add(const std::string& name, Run run, int degree, std::size_t n, benchmark:
 }
 
 [[maybe_unused]] const bool registered = [] {
-  for (const int degree : {1, 2, 3, 5, 7}) {
-    add("spline/de_boor/" + std::to_string(degree), de_boor, degree, 20, benchmark::kMillisecond);
-    add("spline/grid/" + std::to_string(degree), grid, degree, 20, benchmark::kMillisecond);
-  }
-  for (const std::size_t n : {20U, 200U, 2000U}) {
-    const std::string size = "/" + std::to_string(n) + "/";
-    add("spline/de_boor_of_points" + size + "3", de_boor, 3, n, benchmark::kMillisecond);
-    add("spline/grid_of_points" + size + "3", grid, 3, n, benchmark::kMillisecond);
-    for (const int degree : {3, 7}) {
-      add("spline/insertion" + size + std::to_string(degree), insertion, degree, n, benchmark::kMicrosecond);
-      add("spline/elevation" + size + std::to_string(degree), elevation, degree, n, benchmark::kMicrosecond);
-      add("spline/bezier" + size + std::to_string(degree), bezier, degree, n, benchmark::kMicrosecond);
-    }
-  }
-  for (const int degree : {3, 5})
-    add("spline/intersection/20/" + std::to_string(degree), intersection_of_spirals, degree, 20,
-        benchmark::kMillisecond);
+  const auto add_all = [](const std::string& what, Run run, benchmark::TimeUnit unit,
+                          const std::vector<std::pair<std::size_t, int>>& sizes) {
+    for (const auto& [n, degree] : sizes)
+      add("spline/" + what + "/" + std::to_string(n) + "/" + std::to_string(degree), run, degree, n, unit);
+  };
+  const std::vector<std::pair<std::size_t, int>> evaluations = {{20, 1}, {20, 2},  {20, 3},  {20, 5},
+                                                                {20, 7}, {200, 3}, {2000, 3}};
+  const std::vector<std::pair<std::size_t, int>> changes = {{20, 3}, {200, 3}, {2000, 3},
+                                                            {20, 7}, {200, 7}, {2000, 7}};
+  add_all("de_boor", de_boor, benchmark::kMillisecond, evaluations);
+  add_all("grid", grid, benchmark::kMillisecond, evaluations);
+  add_all("insertion", insertion, benchmark::kMicrosecond, changes);
+  add_all("elevation", elevation, benchmark::kMicrosecond, changes);
+  add_all("bezier", bezier, benchmark::kMicrosecond, changes);
+  add_all("intersection", intersection_of_spirals, benchmark::kMillisecond, {{20, 3}, {20, 5}, {200, 3}});
   return true;
 }();
 

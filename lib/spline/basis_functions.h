@@ -8,7 +8,7 @@
 //
 // (Cox 1972; de Boor 1972; Piegl, Tiller 1997, equations 2.5, 2.7 and algorithms A2.2, A2.3.) At a knot the
 // derivatives are those of the span on the right, at the right end of the domain those on the left. Errors:
-// as KnotVector::find_span.
+// as KnotVector::find_span, and InputError for a negative order.
 
 #include "base/matrix.h"
 #include "spline/knot_vector.h"
@@ -23,6 +23,10 @@ struct BasisFunctions {
 };
 
 namespace spline_detail {
+
+inline void check_derivative_order(int order) {
+  if (order < 0) throw InputError("derivative of order " + std::to_string(order) + ": expected 0 or more");
+}
 
 /// Degree p - 1 to degree p on span k, in place: values holds N_{k-p+1}, ..., N_k and becomes one longer.
 template <class T>
@@ -60,6 +64,7 @@ void raise_derivative(const KnotVector<T>& knots, std::size_t k, std::vector<T>&
 template <class T>
 BasisFunctions<T> basis_functions_on_span(const KnotVector<T>& knots, std::size_t span, const T& u,
                                           int order) {
+  spline_detail::check_derivative_order(order);
   const auto degree = static_cast<std::size_t>(knots.degree());
   const auto rows = static_cast<std::size_t>(order) + 1;
   BasisFunctions<T> result{span - degree, Matrix<T>(rows, degree + 1, whole_number<T>(0))};

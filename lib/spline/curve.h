@@ -134,9 +134,11 @@ std::vector<T> evaluate(const BSplineCurve<T>& curve, const T& u) {
   });
 }
 
-/// Row r: the r-th derivative of P at u, r = 0, ..., order. Throws InputError as evaluate.
+/// Row r: the r-th derivative of P at u, r = 0, ..., order. Throws InputError as evaluate, and for a negative
+/// order.
 template <class T>
 Matrix<T> derivatives(const BSplineCurve<T>& curve, const T& u, int order) {
+  spline_detail::check_derivative_order(order);
   Matrix<T> result(static_cast<std::size_t>(order) + 1, curve.dimension(), whole_number<T>(0));
   const std::vector<T> entries = over_spans(curve.knots, u, [&](std::size_t span, const T& part) {
     const BasisFunctions<T> basis = basis_functions_on_span(curve.knots, span, part, order);

@@ -109,10 +109,13 @@ BSplineCurve<T> refined(const BSplineCurve<T>& curve, std::vector<T> new_knots) 
   return refinement.curve();
 }
 
-/// The curve with u inserted that many times, as refined.
+/// The curve with u inserted that many times, as refined. Throws InputError also for a negative number.
 template <class T>
 BSplineCurve<T> with_knot(const BSplineCurve<T>& curve, const T& u, int times = 1) {
-  return refined(curve, std::vector<T>(static_cast<std::size_t>(std::max(times, 0)), u));
+  if (times < 0)
+    throw InputError("knot " + number_text(u) + " to be inserted " + std::to_string(times) +
+                     " times: expected 0 or more");
+  return refined(curve, std::vector<T>(static_cast<std::size_t>(times), u));
 }
 
 }  // namespace gcslab

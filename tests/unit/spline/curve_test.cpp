@@ -157,6 +157,8 @@ TEST(Curve, RefusesWrongCountsAndNumbers) {
             "point 1 has 1 coordinates, expected 2 as of point 0");
   EXPECT_EQ(error_text([] { return evaluate(report_curve<double>(), 3.5); }),
             "parameter 3.5 is outside of the domain [0, 3]");
+  EXPECT_EQ(error_text([] { return derivatives(report_curve<double>(), 1.0, -2); }),
+            "derivative of order -2: expected 0 or more");
   const BSplineCurve<double> constant(KnotVector<double>(0, {0, 1}), Matrix<double>(1, 1));
   EXPECT_EQ(error_text([&] { return hodograph(constant); }),
             "hodograph: the curve has degree 0, expected 1 at least");

@@ -46,6 +46,14 @@ void expect_on_both(const CurveIntersections& found, const BSplineCurve<double>&
   }
 }
 
+void expect_distinct(const CurveIntersections& found) {
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(disjoint(found.points[i].first, found.points[j].first) ||
+                  disjoint(found.points[i].second, found.points[j].second));
+  }
+}
+
 TEST(Intersections, OfACubicAndItsTransposeAreNine) {
   // y = 4 x^3 - 3 x, and the same with x and y exchanged: cos 9 a = cos a at x = cos a, nine numbers, of
   // which x = 1 and -1 are ends of both curves.
@@ -199,7 +207,7 @@ std::vector<std::pair<double, double>> sampled_crossings(const BSplineCurve<doub
   return result;
 }
 
-TEST(Intersections, OfRandomCubicSplinesAreThoseOfFinePolygons) {
+TEST(Intersections, OfRandomCubicSplinesLeaveOutNoneOfFinePolygons) {
   Random random(fuzz_seed(), "splines");
   for (std::size_t i = 0; i < fuzz_cases(8); ++i) {
     const auto make = [&] {
@@ -212,7 +220,8 @@ TEST(Intersections, OfRandomCubicSplinesAreThoseOfFinePolygons) {
     EXPECT_TRUE(found.is_complete()) << i;
     expect_on_both(found, a, b);
     const auto sampled = sampled_crossings(a, b);
-    EXPECT_EQ(found.points.size(), sampled.size()) << i;
+    EXPECT_GE(found.points.size(), sampled.size()) << i;
+    expect_distinct(found);
     for (const auto& [u, v] : sampled) {
       EXPECT_TRUE(std::ranges::any_of(found.points,
                                       [&, u = u, v = v](const CurveIntersection& at) {
