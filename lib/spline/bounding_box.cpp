@@ -7,35 +7,38 @@ namespace {
 
 constexpr int kRootBits = 128;
 
-bool reaches_beyond(const BezierPiece<Rational>& piece, std::size_t coordinate,
-                    const RationalInterval& range) {
-  for (std::size_t i = 0; i < piece.points.rows(); ++i) {
-    const Rational& x = piece.points(i, coordinate);
-    if (x < range.lower || range.upper < x) return true;
-  }
-  return false;
-}
-
 void include(RationalInterval& range, const RationalInterval& values) {
   range.lower = std::min(range.lower, values.lower);
   range.upper = std::max(range.upper, values.upper);
 }
 
-RationalInterval range_of(const std::vector<BezierPiece<Rational>>& pieces, std::size_t coordinate) {
-  const Rational& start = pieces.front().points(0, coordinate);
+/// Where the derivative of a coordinate vanishes: of n / w, where n' w - n w' does.
+std::vector<RationalInterval> turning_points(const ExactPiece& piece, std::size_t coordinate) {
+  const PowerForm& form = piece.coordinates[coordinate];
+  return unit_roots(
+      sum(product(derivative(form), piece.weight), scaled(product(form, derivative(piece.weight)), -1)),
+      kRootBits);
+}
+
+RationalInterval range_of(const std::vector<ExactPiece>& pieces, std::size_t coordinate) {
+  const Rational& start = pieces.front().first()[coordinate];
   RationalInterval range{start, start};
-  for (const auto& piece : pieces) {
-    const Rational& first = piece.points(0, coordinate);
-    const Rational& last = piece.points(piece.points.rows() - 1, coordinate);
-    include(range, {std::min(first, last), std::max(first, last)});
+  for (const ExactPiece& piece : pieces) {
+    for (const auto& end : {piece.first(), piece.last()}) include(range, {end[coordinate], end[coordinate]});
   }
-  for (const auto& piece : pieces) {
-    if (!reaches_beyond(piece, coordinate, range)) continue;
-    const PowerForm form = power_forms(piece)[coordinate];
-    for (const RationalInterval& root : unit_roots(derivative(form), kRootBits))
-      include(range, range_on(form, root));
+  for (const ExactPiece& piece : pieces) {
+    const RationalInterval hull = piece.box()[coordinate];
+    if (range.lower <= hull.lower && hull.upper <= range.upper) continue;
+    for (const RationalInterval& t : turning_points(piece, coordinate))
+      include(range, range_on(piece.coordinates[coordinate], piece.weight, t));
   }
   return range;
+}
+
+Box box_of(const std::vector<ExactPiece>& pieces) {
+  Box box;
+  for (std::size_t c = 0; c < pieces.front().dimension(); ++c) box.push_back(rounded(range_of(pieces, c)));
+  return box;
 }
 
 /// Twice the signed area of a triangle.
@@ -58,12 +61,8 @@ bool is_in_triangle(std::span<const Rational> a, std::span<const Rational> b, st
 
 }  // namespace
 
-Box bounding_box(const BSplineCurve<Rational>& curve) {
-  const auto pieces = bezier_pieces(curve);
-  Box box;
-  for (std::size_t c = 0; c < curve.dimension(); ++c) box.push_back(rounded(range_of(pieces, c)));
-  return box;
-}
+Box bounding_box(const BSplineCurve<Rational>& curve) { return box_of(exact_pieces(curve)); }
+Box bounding_box(const RationalCurve<Rational>& curve) { return box_of(exact_pieces(curve)); }
 
 bool is_in_convex_hull(const Matrix<Rational>& points, std::span<const Rational> point) {
   if (points.columns() != 2 || point.size() != 2)

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "spline/curve.h"
+#include "spline/rational_curve.h"
 
 namespace gcslab {
 
@@ -25,7 +25,11 @@ Box control_box(const BSplineCurve<T>& curve) {
 /// The smallest box that contains the curve, rounded outward: the extreme values of each coordinate at ends
 /// of spans and at the roots of its derivative, which are isolated exactly (lib/univariate).
 Box bounding_box(const BSplineCurve<Rational>& curve);
+Box bounding_box(const RationalCurve<Rational>& curve);
 inline Box bounding_box(const BSplineCurve<double>& curve) {
+  return bounding_box(converted<Rational>(curve));
+}
+inline Box bounding_box(const RationalCurve<double>& curve) {
   return bounding_box(converted<Rational>(curve));
 }
 

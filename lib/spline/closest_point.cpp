@@ -15,10 +15,10 @@ struct Candidate {
   RationalInterval square;  ///< of the distance
 };
 
-void check(const BSplineCurve<double>& curve, std::span<const double> point, double tolerance) {
-  if (point.size() != curve.dimension())
+void check(std::size_t dimension, std::span<const double> point, double tolerance) {
+  if (point.size() != dimension)
     throw InputError("closest point: the point has " + std::to_string(point.size()) +
-                     " coordinates, expected " + std::to_string(curve.dimension()) + " as the curve");
+                     " coordinates, expected " + std::to_string(dimension) + " as the curve");
   for (const double x : point) {
     if (!std::isfinite(x))
       throw InputError("closest point: coordinate " + number_text(x) + ", expected a finite number");
@@ -33,51 +33,43 @@ Interval root(const RationalInterval& square) {
 }
 
 /// The least squared distance of the box of a piece's control points.
-Rational square_of_distance_of_box(const BezierPiece<Rational>& piece, const std::vector<Rational>& target) {
+Rational square_of_distance_of_box(const ExactPiece& piece, const std::vector<Rational>& target) {
+  const RationalBox box = piece.box();
   Rational sum = 0;
   for (std::size_t c = 0; c < target.size(); ++c) {
-    Rational lower = piece.points(0, c);
-    Rational upper = lower;
-    for (std::size_t i = 1; i < piece.points.rows(); ++i) {
-      lower = std::min(lower, piece.points(i, c));
-      upper = std::max(upper, piece.points(i, c));
-    }
-    const Rational gap =
-        max(Rational(max(Rational(lower - target[c]), Rational(target[c] - upper))), Rational(0));
-    sum += gap * gap;
+    const Rational outside = max(Rational(box[c].lower - target[c]), Rational(target[c] - box[c].upper));
+    if (outside > 0) sum += outside * outside;
   }
   return sum;
 }
 
-Candidate end_candidate(const BezierPiece<Rational>& piece, bool at_end,
+Candidate end_candidate(const Rational& parameter, std::span<const Rational> end,
                         const std::vector<Rational>& target) {
-  const Rational& u = at_end ? piece.end : piece.start;
-  const auto row = piece.points.row(at_end ? piece.points.rows() - 1 : 0);
-  Candidate result{{u, u}, {}, {0, 0}};
+  Candidate result{{parameter, parameter}, {}, {0, 0}};
   for (std::size_t c = 0; c < target.size(); ++c) {
-    result.point.push_back({row[c], row[c]});
-    result.square.lower += sqr(Rational(row[c] - target[c]));
+    result.point.push_back({end[c], end[c]});
+    result.square.lower += sqr(Rational(end[c] - target[c]));
   }
   result.square.upper = result.square.lower;
   return result;
 }
 
-/// The critical points strictly inside a piece.
-std::vector<Candidate> critical_candidates(const BezierPiece<Rational>& piece,
-                                           const std::vector<Rational>& target) {
-  const std::vector<PowerForm> forms = power_forms(piece);
+/// The critical points strictly inside a piece: where (s / w^2)' w^3 = s' w - 2 s w' vanishes, s / w^2 the
+/// square of the distance.
+std::vector<Candidate> critical_candidates(const ExactPiece& piece, const std::vector<Rational>& target) {
+  const PowerForm& weight = piece.weight;
   PowerForm square;
-  for (std::size_t c = 0; c < forms.size(); ++c) {
-    const PowerForm difference = sum(forms[c], {Rational(-target[c])});
+  for (std::size_t c = 0; c < target.size(); ++c) {
+    const PowerForm difference = sum(piece.coordinates[c], scaled(weight, -target[c]));
     square = sum(square, product(difference, difference));
   }
+  const PowerForm slope =
+      sum(product(derivative(square), weight), scaled(product(square, derivative(weight)), -2));
   std::vector<Candidate> result;
-  const Rational width = piece.end - piece.start;
-  for (const RationalInterval& t : unit_roots(derivative(square), kRootBits)) {
-    if (t.lower == t.upper && (t.lower == 0 || t.lower == 1)) continue;
-    Candidate candidate{
-        {piece.start + width * t.lower, piece.start + width * t.upper}, {}, range_on(square, t)};
-    for (const PowerForm& form : forms) candidate.point.push_back(range_on(form, t));
+  for (const RationalInterval& t : unit_roots(slope, kRootBits)) {
+    if (t.lower == t.upper && t.lower.get_den() == 1) continue;  // an end
+    Candidate candidate{piece.parameters(t), {}, range_on(square, product(weight, weight), t)};
+    for (const PowerForm& form : piece.coordinates) candidate.point.push_back(range_on(form, weight, t));
     result.push_back(std::move(candidate));
   }
   return result;
@@ -97,24 +89,23 @@ ClosestPoint rounded_point(const Candidate& candidate) {
   return result;
 }
 
-}  // namespace
-
-std::vector<ClosestPoint> closest_points(const BSplineCurve<double>& curve, std::span<const double> point,
-                                         double tolerance) {
-  check(curve, point, tolerance);
+std::vector<ClosestPoint> closest_on(const std::vector<ExactPiece>& pieces, std::span<const double> point,
+                                     double tolerance) {
+  check(pieces.front().dimension(), point, tolerance);
   std::vector<Rational> target;
   for (const double x : point) target.push_back(rational_from_double(x));
-  const auto pieces = bezier_pieces(converted<Rational>(curve));
   std::vector<Candidate> candidates;
-  for (const auto& piece : pieces) {
-    candidates.push_back(end_candidate(piece, false, target));
-    candidates.push_back(end_candidate(piece, true, target));
+  for (const ExactPiece& piece : pieces) {
+    candidates.push_back(end_candidate(piece.start, piece.first(), target));
+    candidates.push_back(end_candidate(piece.end, piece.last(), target));
   }
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) least = std::min(least, root(candidate.square).upper);
-  const NumberTraits<FastInterval>::Scope scope;
-  const auto limit = [&] { return rounded_add(least, tolerance); };
-  for (const auto& piece : pieces) {
+  const auto limit = [&] {
+    const UpwardRounding upward;
+    return rounded_add(least, tolerance);
+  };
+  for (const ExactPiece& piece : pieces) {
     const Rational square = square_of_distance_of_box(piece, target);
     if (root({square, square}).lower > limit()) continue;
     for (Candidate& candidate : critical_candidates(piece, target)) {
@@ -129,6 +120,18 @@ std::vector<ClosestPoint> closest_points(const BSplineCurve<double>& curve, std:
   std::vector<ClosestPoint> result;
   for (const Candidate& candidate : candidates) result.push_back(rounded_point(candidate));
   return result;
+}
+
+}  // namespace
+
+std::vector<ClosestPoint> closest_points(const BSplineCurve<double>& curve, std::span<const double> point,
+                                         double tolerance) {
+  return closest_on(exact_pieces(converted<Rational>(curve)), point, tolerance);
+}
+
+std::vector<ClosestPoint> closest_points(const RationalCurve<double>& curve, std::span<const double> point,
+                                         double tolerance) {
+  return closest_on(exact_pieces(converted<Rational>(curve)), point, tolerance);
 }
 
 }  // namespace gcslab

@@ -1,6 +1,7 @@
 #include "spline/curve_intersection.h"
 
 #include <array>
+#include <functional>
 
 #include "box_solver/solver_method.h"
 #include "certification/root_refinement.h"
@@ -13,39 +14,35 @@ constexpr int kRootBits = 160;
 constexpr int kFineBits = 60;      // of listed parameters
 constexpr int kLargestBits = 960;  // where a root that is near the end of a piece is told from it
 
-/// A polynomial piece, exactly.
-struct Piece {
-  BezierPiece<Rational> bezier;
-  std::vector<PowerForm> forms;
-  RationalBox box;  ///< of its control points
-
-  Rational global(const Rational& t) const { return bezier.start + (bezier.end - bezier.start) * t; }
-  RationalInterval global(const RationalInterval& t) const { return {global(t.lower), global(t.upper)}; }
+/// A piece with the box of its control points.
+struct Piece : ExactPiece {
+  RationalBox control_box;
 };
 
-RationalBox box_of(const Matrix<Rational>& points) {
-  RationalBox box;
-  for (std::size_t c = 0; c < points.columns(); ++c) {
-    box.push_back({points(0, c), points(0, c)});
-    for (std::size_t i = 1; i < points.rows(); ++i) {
-      box[c].lower = std::min(box[c].lower, points(i, c));
-      box[c].upper = std::max(box[c].upper, points(i, c));
-    }
-  }
-  return box;
-}
+/// A curve as the intersection needs it.
+struct PlaneCurve {
+  std::vector<Piece> pieces;
+  std::function<Box(const Interval&)> points_at;  ///< encloses the points with parameters in the interval
+};
 
-std::vector<Piece> pieces_of(const BSplineCurve<double>& curve) {
+template <class Curve>
+PlaneCurve plane_curve(const Curve& curve) {
   if (curve.dimension() != 2)
     throw InputError("intersection: a curve has " + std::to_string(curve.dimension()) +
                      " coordinates, expected 2");
-  std::vector<Piece> pieces;
-  for (BezierPiece<Rational>& bezier : bezier_pieces(converted<Rational>(curve))) {
-    std::vector<PowerForm> forms = power_forms(bezier);
-    RationalBox box = box_of(bezier.points);
-    pieces.push_back({std::move(bezier), std::move(forms), std::move(box)});
+  PlaneCurve result;
+  for (ExactPiece& piece : exact_pieces(converted<Rational>(curve))) {
+    RationalBox box = piece.box();
+    result.pieces.push_back({std::move(piece), std::move(box)});
   }
-  return pieces;
+  const NumberTraits<FastInterval>::Scope scope;
+  result.points_at = [enclosed = converted<FastInterval>(curve)](const Interval& parameters) {
+    const NumberTraits<FastInterval>::Scope upward;
+    Box box;
+    for (const FastInterval& x : evaluate(enclosed, FastInterval(parameters))) box.push_back(x.interval());
+    return box;
+  };
+  return result;
 }
 
 bool are_disjoint(const RationalBox& a, const RationalBox& b) {
@@ -69,12 +66,12 @@ struct EndPoint {
   }
 };
 
-/// Where a point lies on a piece: the common roots of the coordinates of b(t) - P, which are the real roots
-/// of their sum of squares.
+/// Where a point P lies on a piece b / z: the common roots of the coordinates of b(t) - z(t) P, which are the
+/// real roots of their sum of squares.
 std::vector<RationalInterval> parameters_at(const Piece& piece, std::span<const Rational> point) {
   PowerForm squares;
   for (std::size_t c = 0; c < point.size(); ++c) {
-    const PowerForm difference = sum(piece.forms[c], {Rational(-point[c])});
+    const PowerForm difference = sum(piece.coordinates[c], scaled(piece.weight, -point[c]));
     squares = sum(squares, product(difference, difference));
   }
   return unit_roots(squares, kRootBits);
@@ -90,10 +87,8 @@ bool is_outside_unit(const MpfrInterval& x) {
 
 class Intersector {
  public:
-  Intersector(const BSplineCurve<double>& first, const BSplineCurve<double>& second,
-              const IntersectionOptions& options)
-      : curves_{&first, &second},
-        pieces_{pieces_of(first), pieces_of(second)},
+  Intersector(PlaneCurve first, PlaneCurve second, const IntersectionOptions& options)
+      : curves_{std::move(first), std::move(second)},
         options_(options),
         method_(solver_method_registry().at("adaptive")),
         method_options_(method_.options(), {}, method_.name) {}
@@ -105,9 +100,9 @@ class Intersector {
       result_.points.push_back({rounded(end.parameters[0]),
                                 rounded(end.parameters[1]),
                                 {rounded(end.point[0]), rounded(end.point[1])}});
-    for (const Piece& a : pieces_[0]) {
-      for (const Piece& b : pieces_[1]) {
-        if (!are_disjoint(a.box, b.box)) solve(a, b);
+    for (const Piece& a : curves_[0].pieces) {
+      for (const Piece& b : curves_[1].pieces) {
+        if (!are_disjoint(a.control_box, b.control_box)) solve(a, b);
       }
     }
     std::ranges::sort(result_.points, {},
@@ -118,15 +113,15 @@ class Intersector {
  private:
   /// Ends of pieces of one curve that lie on the other one.
   void find_end_points(std::size_t curve) {
-    for (const Piece& piece : pieces_[curve]) {
+    for (const Piece& piece : curves_[curve].pieces) {
       for (const bool at_end : {false, true}) {
-        const auto row = piece.bezier.points.row(at_end ? piece.bezier.points.rows() - 1 : 0);
+        const auto row = at_end ? piece.last() : piece.first();
         const RationalBox point = {{row[0], row[0]}, {row[1], row[1]}};
-        const Rational& u = at_end ? piece.bezier.end : piece.bezier.start;
-        for (const Piece& other : pieces_[1 - curve]) {
-          if (are_disjoint(point, other.box)) continue;
+        const Rational& u = at_end ? piece.end : piece.start;
+        for (const Piece& other : curves_[1 - curve].pieces) {
+          if (are_disjoint(point, other.control_box)) continue;
           for (const RationalInterval& t : parameters_at(other, row)) {
-            EndPoint found{{RationalInterval{u, u}, other.global(t)}, point};
+            EndPoint found{{RationalInterval{u, u}, other.parameters(t)}, point};
             if (curve == 1) std::swap(found.parameters[0], found.parameters[1]);
             if (std::ranges::find(end_points_, found) == end_points_.end())
               end_points_.push_back(std::move(found));
@@ -147,9 +142,10 @@ class Intersector {
     EquationSystem system;
     system.variables = {"s", "t"};
     system.box = {{0, 1}, {0, 1}};
+    ExpressionGraph& graph = *system.graph;
     for (std::size_t c = 0; c < 2; ++c)
-      system.equations.push_back(expression(*system.graph, a.forms[c], 0) -
-                                 expression(*system.graph, b.forms[c], 1));
+      system.equations.push_back(expression(graph, a.coordinates[c], 0) * expression(graph, b.weight, 1) -
+                                 expression(graph, b.coordinates[c], 1) * expression(graph, a.weight, 0));
     return system;
   }
 
@@ -184,14 +180,13 @@ class Intersector {
   static bool is_root_at(const EndPoint& end, const Piece& a, const Piece& b, const Box& local) {
     const std::array<const Piece*, 2> pieces = {&a, &b};
     for (std::size_t i = 0; i < 2; ++i) {
-      const BezierPiece<Rational>& bezier = pieces[i]->bezier;
+      const Piece& piece = *pieces[i];
       const RationalInterval& u = end.parameters[i];
-      const RationalInterval where = pieces[i]->global(exactly(local[i]));
-      if (u.lower < std::max(bezier.start, where.lower) || std::min(bezier.end, where.upper) < u.upper)
+      const RationalInterval where = piece.parameters(exactly(local[i]));
+      if (u.lower < std::max(piece.start, where.lower) || std::min(piece.end, where.upper) < u.upper)
         return false;
-      if (u.lower == bezier.start && !is_at(bezier.points.row(0), end.point)) return false;
-      if (u.upper == bezier.end && !is_at(bezier.points.row(bezier.points.rows() - 1), end.point))
-        return false;
+      if (u.lower == piece.start && !is_at(piece.first(), end.point)) return false;
+      if (u.upper == piece.end && !is_at(piece.last(), end.point)) return false;
     }
     return true;
   }
@@ -211,16 +206,14 @@ class Intersector {
 
   /// The parameters of the curve on the piece, rounded outward.
   static Interval global(const Interval& local, const Piece& piece) {
-    return rounded(piece.global(exactly(intersection(local, Interval(0, 1)))));
+    return rounded(piece.parameters(exactly(intersection(local, Interval(0, 1)))));
   }
 
   void list(const Box& local, const Piece& a, const Piece& b) {
-    const NumberTraits<FastInterval>::Scope scope;
     CurveIntersection found{global(local[0], a), global(local[1], b), {}};
-    const auto on_first = evaluate(converted<FastInterval>(*curves_[0]), FastInterval(found.first));
-    const auto on_second = evaluate(converted<FastInterval>(*curves_[1]), FastInterval(found.second));
-    for (std::size_t c = 0; c < 2; ++c)
-      found.point.push_back(intersection(on_first[c].interval(), on_second[c].interval()));
+    const Box on_first = curves_[0].points_at(found.first);
+    const Box on_second = curves_[1].points_at(found.second);
+    for (std::size_t c = 0; c < 2; ++c) found.point.push_back(intersection(on_first[c], on_second[c]));
     result_.points.push_back(std::move(found));
   }
 
@@ -228,8 +221,7 @@ class Intersector {
     result_.undecided.push_back({global(local[0], a), global(local[1], b), reason});
   }
 
-  std::array<const BSplineCurve<double>*, 2> curves_;
-  std::array<std::vector<Piece>, 2> pieces_;
+  std::array<PlaneCurve, 2> curves_;
   IntersectionOptions options_;
   const SolverMethod& method_;
   Options method_options_;
@@ -241,7 +233,17 @@ class Intersector {
 
 CurveIntersections intersections(const BSplineCurve<double>& first, const BSplineCurve<double>& second,
                                  const IntersectionOptions& options) {
-  return Intersector(first, second, options).run();
+  return Intersector(plane_curve(first), plane_curve(second), options).run();
+}
+
+CurveIntersections intersections(const RationalCurve<double>& first, const RationalCurve<double>& second,
+                                 const IntersectionOptions& options) {
+  return Intersector(plane_curve(first), plane_curve(second), options).run();
+}
+
+CurveIntersections intersections(const RationalCurve<double>& first, const BSplineCurve<double>& second,
+                                 const IntersectionOptions& options) {
+  return Intersector(plane_curve(first), plane_curve(second), options).run();
 }
 
 }  // namespace gcslab

@@ -1,13 +1,18 @@
 #include "spline/power_form.h"
 
+#include "base/check.h"
+
 namespace gcslab {
 
-std::vector<PowerForm> power_forms(const BezierPiece<Rational>& piece) {
-  const std::size_t count = piece.points.rows();
+namespace {
+
+/// One a coordinate of a piece.
+std::vector<PowerForm> power_forms(const Matrix<Rational>& points) {
+  const std::size_t count = points.rows();
   std::vector<PowerForm> forms;
-  for (std::size_t c = 0; c < piece.points.columns(); ++c) {
+  for (std::size_t c = 0; c < points.columns(); ++c) {
     PowerForm differences;
-    for (std::size_t i = 0; i < count; ++i) differences.push_back(piece.points(i, c));
+    for (std::size_t i = 0; i < count; ++i) differences.push_back(points(i, c));
     for (std::size_t k = 1; k < count; ++k) {
       for (std::size_t i = count - 1; i >= k; --i) differences[i] -= differences[i - 1];
     }
@@ -21,6 +26,17 @@ std::vector<PowerForm> power_forms(const BezierPiece<Rational>& piece) {
   }
   return forms;
 }
+
+Matrix<Rational> projected(const Matrix<Rational>& homogeneous) {
+  Matrix<Rational> points(homogeneous.rows(), homogeneous.columns() - 1);
+  for (std::size_t i = 0; i < points.rows(); ++i) {
+    for (std::size_t c = 0; c < points.columns(); ++c)
+      points(i, c) = homogeneous(i, c) / homogeneous(i, points.columns());
+  }
+  return points;
+}
+
+}  // namespace
 
 PowerForm product(const PowerForm& a, const PowerForm& b) {
   if (a.empty() || b.empty()) return {};
@@ -37,6 +53,8 @@ PowerForm sum(const PowerForm& a, const PowerForm& b) {
   for (std::size_t i = 0; i < b.size(); ++i) result[i] += b[i];
   return result;
 }
+
+PowerForm scaled(const PowerForm& a, const Rational& factor) { return product(a, {factor}); }
 
 PowerForm derivative(const PowerForm& a) {
   PowerForm result;
@@ -82,8 +100,48 @@ RationalInterval range_on(const PowerForm& a, const RationalInterval& t) {
   return {middle - slack, middle + slack};
 }
 
+RationalInterval range_on(const PowerForm& a, const PowerForm& b, const RationalInterval& t) {
+  const RationalInterval top = range_on(a, t);
+  const RationalInterval bottom = range_on(b, t);
+  GCSLAB_CHECK(bottom.lower > 0);
+  return {top.lower / (top.lower < 0 ? bottom.lower : bottom.upper),
+          top.upper / (top.upper < 0 ? bottom.upper : bottom.lower)};
+}
+
 Interval rounded(const RationalInterval& x) {
   return {NumberTraits<Rational>::enclosure(x.lower).lower, NumberTraits<Rational>::enclosure(x.upper).upper};
+}
+
+RationalBox ExactPiece::box() const {
+  RationalBox box;
+  for (std::size_t c = 0; c < points.columns(); ++c) {
+    box.push_back({points(0, c), points(0, c)});
+    for (std::size_t i = 1; i < points.rows(); ++i) {
+      box[c].lower = std::min(box[c].lower, points(i, c));
+      box[c].upper = std::max(box[c].upper, points(i, c));
+    }
+  }
+  return box;
+}
+
+std::vector<ExactPiece> exact_pieces(const BSplineCurve<Rational>& curve) {
+  std::vector<ExactPiece> result;
+  for (BezierPiece<Rational>& piece : bezier_pieces(curve)) {
+    std::vector<PowerForm> forms = power_forms(piece.points);
+    result.push_back({piece.start, piece.end, std::move(forms), {Rational(1)}, std::move(piece.points)});
+  }
+  return result;
+}
+
+std::vector<ExactPiece> exact_pieces(const RationalCurve<Rational>& curve) {
+  std::vector<ExactPiece> result;
+  for (const BezierPiece<Rational>& piece : bezier_pieces(curve.homogeneous)) {
+    std::vector<PowerForm> forms = power_forms(piece.points);
+    PowerForm weight = std::move(forms.back());
+    forms.pop_back();
+    result.push_back({piece.start, piece.end, std::move(forms), std::move(weight), projected(piece.points)});
+  }
+  return result;
 }
 
 }  // namespace gcslab

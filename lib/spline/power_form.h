@@ -1,8 +1,9 @@
 #pragma once
 
-// Polynomial pieces exactly, as power series in the local parameter t of [0, 1], and their roots.
+// Pieces of curves exactly, as polynomials in the local parameter t of [0, 1] in the power basis, and roots
+// of such polynomials.
 
-#include "spline/bezier_pieces.h"
+#include "spline/rational_curve.h"
 #include "univariate/real_roots.h"
 
 namespace gcslab {
@@ -10,12 +11,9 @@ namespace gcslab {
 /// sum_k c_k t^k, exactly; the last coefficients may be 0.
 using PowerForm = std::vector<Rational>;
 
-/// One a coordinate: c_k = binomial(d, k) times the k-th forward difference of the Bernstein coefficients at
-/// 0.
-std::vector<PowerForm> power_forms(const BezierPiece<Rational>& piece);
-
 PowerForm product(const PowerForm& a, const PowerForm& b);
 PowerForm sum(const PowerForm& a, const PowerForm& b);
+PowerForm scaled(const PowerForm& a, const Rational& factor);
 PowerForm derivative(const PowerForm& a);
 Rational value(const PowerForm& a, const Rational& t);
 bool is_zero(const PowerForm& a);
@@ -28,7 +26,34 @@ std::vector<RationalInterval> unit_roots(const PowerForm& a, int bits);
 /// [-1, 1]: about the middle, by a bound of the derivative there.
 RationalInterval range_on(const PowerForm& a, const RationalInterval& t);
 
+/// The same of a / b, where b is positive on that interval, which must be narrow enough for it to show.
+RationalInterval range_on(const PowerForm& a, const PowerForm& b, const RationalInterval& t);
+
 /// A double interval around it, rounded outward.
 Interval rounded(const RationalInterval& x);
+
+/// One polynomial or rational piece of a curve, exactly: coordinates[c](t) / weight(t), t in [0, 1].
+struct ExactPiece {
+  Rational start;  ///< parameters of the curve at t = 0
+  Rational end;    ///< and at t = 1
+  std::vector<PowerForm> coordinates;
+  PowerForm weight;         ///< positive; the number 1 for polynomial ones
+  Matrix<Rational> points;  ///< control points, one a row: the piece lies in their convex hull
+
+  std::size_t dimension() const { return coordinates.size(); }
+  std::span<const Rational> first() const { return points.row(0); }
+  std::span<const Rational> last() const { return points.row(points.rows() - 1); }
+  Rational parameter(const Rational& t) const { return start + (end - start) * t; }
+  RationalInterval parameters(const RationalInterval& t) const {
+    return {parameter(t.lower), parameter(t.upper)};
+  }
+  /// The box of its control points.
+  RationalBox box() const;
+};
+
+/// One a non-empty span, from left to right. Coefficient k is binomial(d, k) times the k-th forward
+/// difference of the Bernstein coefficients.
+std::vector<ExactPiece> exact_pieces(const BSplineCurve<Rational>& curve);
+std::vector<ExactPiece> exact_pieces(const RationalCurve<Rational>& curve);
 
 }  // namespace gcslab

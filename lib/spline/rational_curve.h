@@ -8,6 +8,7 @@
 // curve. Derivatives: Leibniz's rule on P w = A, that is (Piegl, Tiller 1997, equation 4.8)
 //   P^(k) = (A^(k) - sum_i binomial(k, i) w^(i) P^(k-i)) / w,  i = 1, ..., k.
 
+#include "spline/curve_grid.h"
 #include "spline/degree.h"
 
 namespace gcslab {
@@ -79,6 +80,12 @@ RationalCurve<T> rational_curve(const KnotVector<T>& knots, const Matrix<T>& poi
   return RationalCurve<T>(BSplineCurve<T>(knots, spline_detail::homogeneous_points(points, weights)));
 }
 
+/// The same curve in another number type, as converted_number.
+template <class To, class From>
+RationalCurve<To> converted(const RationalCurve<From>& curve) {
+  return RationalCurve<To>(converted<To>(curve.homogeneous));
+}
+
 /// Row r: the r-th derivative of P at u, r = 0, ..., order. Throws InputError outside of the domain.
 template <class T>
 Matrix<T> derivatives(const RationalCurve<T>& curve, const T& u, int order) {
@@ -107,6 +114,18 @@ std::vector<T> evaluate(const RationalCurve<T>& curve, const T& u) {
   for (std::size_t c = 0; c + 1 < value.size(); ++c) value[c] = value[c] / value.back();
   value.pop_back();
   return value;
+}
+
+/// P at each of the parameters, which do not decrease, one a row; errors as of curve_grid.h.
+template <class T>
+Matrix<T> evaluate_on_grid(const RationalCurve<T>& curve, std::span<const T> parameters) {
+  const Matrix<T> values = evaluate_on_grid(curve.homogeneous, parameters);
+  Matrix<T> result(values.rows(), curve.dimension());
+  for (std::size_t i = 0; i < result.rows(); ++i) {
+    for (std::size_t c = 0; c < result.columns(); ++c)
+      result(i, c) = values(i, c) / values(i, result.columns());
+  }
+  return result;
 }
 
 /// The operations of knot_insertion.h, subdivision.h and degree.h, with their errors: weights stay positive,

@@ -130,6 +130,21 @@ BSplineCurve<T> iso_curve(const BSplineSurface<T>& surface, Direction fixed, con
   return BSplineCurve<T>(across, std::move(points));
 }
 
+/// P(u_i, v_j) in row i count(v) + j, for parameters that do not decrease in either direction; one pass over
+/// the spans in each (curve_grid.h). Throws InputError for a parameter outside of the domain or out of order.
+template <class T>
+Matrix<T> evaluate_on_grid(const BSplineSurface<T>& surface, std::span<const T> u, std::span<const T> v) {
+  const Matrix<T> rows = evaluate_on_grid(curve_in_direction(surface, Direction::u), u);
+  if (u.empty()) return Matrix<T>(0, surface.dimension());
+  const Matrix<T> columns = spline_detail::with_exchanged_rows(
+      spline_detail::reshaped(rows, u.size() * surface.v.size()), u.size(), surface.v.size());
+  const BSplineCurve<T> across(surface.v, spline_detail::reshaped(columns, surface.v.size()));
+  const Matrix<T> values = evaluate_on_grid(across, v);
+  if (v.empty()) return Matrix<T>(0, surface.dimension());
+  return spline_detail::with_exchanged_rows(spline_detail::reshaped(values, u.size() * v.size()), v.size(),
+                                            u.size());
+}
+
 /// As refined, elevated and subdivided of curves, in one direction.
 template <class T>
 BSplineSurface<T> refined(const BSplineSurface<T>& surface, Direction direction,

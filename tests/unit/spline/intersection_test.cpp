@@ -152,8 +152,8 @@ std::size_t crossings(const BSplineCurve<double>& curve, const std::vector<doubl
   const Rational x0 = rational_from_double(from[0]);
   const Rational y0 = rational_from_double(from[1]);
   std::size_t count = 0;
-  for (const auto& piece : bezier_pieces(converted<Rational>(curve))) {
-    const auto forms = power_forms(piece);
+  for (const ExactPiece& piece : exact_pieces(converted<Rational>(curve))) {
+    const auto& forms = piece.coordinates;
     const auto combination = [&](const Rational& a, const Rational& b) {  // a (x - x0) + b (y - y0)
       return sum(sum(product(forms[0], {a}), product(forms[1], {b})), {Rational(-a * x0 - b * y0)});
     };
@@ -231,6 +231,40 @@ TEST(Intersections, OfRandomCubicSplinesLeaveOutNoneOfFinePolygons) {
           << i << ": " << u << ' ' << v;
     }
   }
+}
+
+/// The circle about (x, 0) by four quarters of weights (1, 1, 2), all of it exact in doubles.
+RationalCurve<double> circle(double x) {
+  Matrix<double> rows(9, 3);
+  const double corners[9][3] = {{1, 0, 1},   {1, 1, 1},  {0, 2, 2},  {-1, 1, 1}, {-1, 0, 1},
+                                {-1, -1, 1}, {0, -2, 2}, {1, -1, 1}, {1, 0, 1}};
+  for (std::size_t i = 0; i < 9; ++i) {
+    rows(i, 0) = corners[i][0] + x * corners[i][2];
+    rows(i, 1) = corners[i][1];
+    rows(i, 2) = corners[i][2];
+  }
+  return RationalCurve<double>(
+      BSplineCurve<double>(KnotVector<double>(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}), rows));
+}
+
+TEST(Intersections, OfRationalCirclesAreKnown) {
+  const auto two = intersections(circle(0), circle(1));
+  EXPECT_TRUE(two.is_complete());
+  ASSERT_EQ(two.points.size(), 2U);
+  for (const CurveIntersection& at : two.points) {
+    EXPECT_NEAR(midpoint(at.point[0]), 0.5, 1e-14);
+    EXPECT_NEAR(std::fabs(midpoint(at.point[1])), std::sqrt(0.75), 1e-14);
+  }
+  EXPECT_TRUE(intersections(circle(0), circle(2.25)).points.empty());
+  const auto diagonal = intersections(circle(0), polygon({{-2, -2}, {2, 2}}));
+  EXPECT_TRUE(diagonal.is_complete());
+  ASSERT_EQ(diagonal.points.size(), 2U);
+  for (const CurveIntersection& at : diagonal.points)
+    EXPECT_NEAR(std::fabs(midpoint(at.point[0])), std::sqrt(0.5), 1e-14);
+  // Through ends of arcs: (1, 0) is met at parameters 0 and 4, (-1, 0) at 2.
+  const auto axis = intersections(circle(0), polygon({{-2, 0}, {2, 0}}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.points.size(), 3U);
 }
 
 TEST(Intersections, AreAskedOfPlaneCurves) {

@@ -136,6 +136,14 @@ TEST(BoundingBox, OfAParabolaIsExact) {
   EXPECT_EQ(box[1], Interval(0, 1));
 }
 
+TEST(BoundingBox, OfARationalCircleIsItsSquare) {
+  const Box box = bounding_box(restricted(circle_of_radius(2), 0.5, 3.25));
+  EXPECT_NEAR(box[0].lower, -2, 1e-15);
+  EXPECT_EQ(box[1].upper, 2);
+  EXPECT_EQ(box[1].lower, -2);
+  EXPECT_NEAR(box[0].upper, std::sqrt(2.0), 1e-14);
+}
+
 TEST(ConvexHull, ContainsWhatItShould) {
   const auto square =
       matrix_of_rows<Rational>({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {Rational(1, 2), Rational(1, 2)}});
@@ -201,6 +209,14 @@ TEST(ClosestPoint, ListsAllThatAreEquallyClose) {
   // Within a tolerance the vertex and both ends count too: 1 against sqrt(3) / 2.
   EXPECT_EQ(closest_points(parabola, std::vector<double>{0, 1}, 0.13).size(), 2U);
   EXPECT_EQ(closest_points(parabola, std::vector<double>{0, 1}, 0.14).size(), 5U);
+}
+
+TEST(ClosestPoint, OfARationalCircleLiesOnTheRay) {
+  const auto found = closest_points(circle_of_radius(2), std::vector<double>{3, 4});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(midpoint(found[0].distance), 3, 1e-14);
+  EXPECT_NEAR(midpoint(found[0].point[0]), 1.2, 1e-14);
+  EXPECT_NEAR(midpoint(found[0].point[1]), 1.6, 1e-14);
 }
 
 TEST(ClosestPoint, AtAPointOfTheCurveHasDistanceZeroOnce) {

@@ -54,6 +54,13 @@ TEST(RationalCurve, IsACircleUpToRoundingInDoubles) {
     const std::vector<double> p = evaluate(curve, i / 1000.0);
     ASSERT_NEAR(std::hypot(p[0], p[1]), 1, 8 * 0x1p-53);
   }
+  std::vector<double> parameters;
+  for (int i = 0; i <= 4000; ++i) parameters.push_back(i / 1000.0);
+  const Matrix<double> values = evaluate_on_grid<double>(curve, parameters);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    ASSERT_NEAR(std::hypot(values(i, 0), values(i, 1)), 1, 8 * 0x1p-53);
+    ASSERT_NEAR(values(i, 0), evaluate(curve, parameters[i])[0], 16 * 0x1p-53);
+  }
 }
 
 TEST(RationalCurve, EnclosesTheCircleInIntervals) {

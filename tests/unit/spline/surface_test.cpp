@@ -67,6 +67,26 @@ TEST(Surface, IsTheTensorProductAndItsIsoCurvesLieOnIt) {
   });
 }
 
+TEST(Surface, OnAGridIsItselfAtEachParameter) {
+  for_random_surfaces("surface_grid", [](Random& random, const Exact& surface) {
+    const auto parameters = [&](const KnotVector<Rational>& knots, std::size_t count) {
+      std::vector<Rational> result{knots.lower(), knots.upper()};
+      while (result.size() < count) result.push_back(random_spline::parameter(random, knots));
+      std::ranges::sort(result);
+      return result;
+    };
+    const auto u = parameters(surface.u, 4);
+    const auto v = parameters(surface.v, 6);
+    const Matrix<Rational> values = evaluate_on_grid<Rational>(surface, u, v);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (std::size_t j = 0; j < v.size(); ++j)
+        ASSERT_TRUE(std::ranges::equal(values.row(i * v.size() + j), evaluate(surface, u[i], v[j])));
+    }
+    ASSERT_EQ(evaluate_on_grid<Rational>(surface, u, {}).rows(), 0U);
+    ASSERT_EQ(evaluate_on_grid<Rational>(surface, {}, v).rows(), 0U);
+  });
+}
+
 TEST(Surface, HasThePartialDerivativesOfItsIsoCurves) {
   for_random_surfaces("partials", [](Random& random, const Exact& surface) {
     const Rational u = random_spline::parameter(random, surface.u);
