@@ -11,6 +11,7 @@ namespace gcslab {
 namespace {
 
 constexpr int kRootBits = 160;
+constexpr std::uint64_t kFirstBoxes = 300;
 constexpr int kFineBits = 60;      // of listed parameters
 constexpr int kLargestBits = 960;  // where a root that is near the end of a piece is told from it
 
@@ -66,15 +67,29 @@ struct EndPoint {
   }
 };
 
-/// Where a point P lies on a piece b / z: the common roots of the coordinates of b(t) - z(t) P, which are the
-/// real roots of their sum of squares.
-std::vector<RationalInterval> parameters_at(const Piece& piece, std::span<const Rational> point) {
+/// What vanishes where a piece b / z is at a point P: the sum of the squares of the coordinates of b(t) -
+/// z(t) P, whose real roots are the common ones of these.
+PowerForm squared_distance(const Piece& piece, std::span<const Rational> point) {
   PowerForm squares;
   for (std::size_t c = 0; c < point.size(); ++c) {
     const PowerForm difference = sum(piece.coordinates[c], scaled(piece.weight, -point[c]));
     squares = sum(squares, product(difference, difference));
   }
-  return unit_roots(squares, kRootBits);
+  return squares;
+}
+
+/// Whether two pieces are parts of one algebraic curve: curves of degrees d and e that are not have no more
+/// than d e common points (Bezout 1779).
+bool lie_on_one_curve(const Piece& a, const Piece& b) {
+  const std::size_t bound = (a.points.rows() - 1) * (b.points.rows() - 1);
+  for (std::size_t i = 0; i <= bound; ++i) {
+    Rational t(static_cast<unsigned long>(i + 1), static_cast<unsigned long>(bound + 2));
+    t.canonicalize();
+    std::vector<Rational> point;
+    for (const PowerForm& form : a.coordinates) point.emplace_back(value(form, t) / value(a.weight, t));
+    if (!has_real_root(squared_distance(b, point))) return false;
+  }
+  return true;
 }
 
 bool is_inside_unit(const MpfrInterval& x) {
@@ -120,7 +135,7 @@ class Intersector {
         const Rational& u = at_end ? piece.end : piece.start;
         for (const Piece& other : curves_[1 - curve].pieces) {
           if (are_disjoint(point, other.control_box)) continue;
-          for (const RationalInterval& t : parameters_at(other, row)) {
+          for (const RationalInterval& t : unit_roots(squared_distance(other, row), kRootBits)) {
             EndPoint found{{RationalInterval{u, u}, other.parameters(t)}, point};
             if (curve == 1) std::swap(found.parameters[0], found.parameters[1]);
             if (std::ranges::find(end_points_, found) == end_points_.end())
@@ -149,18 +164,44 @@ class Intersector {
     return system;
   }
 
+  /// A first search settles what is simple. Only where it leaves something it is worth asking whether the
+  /// pieces have an arc in common, of which no search would ever see the end.
   void solve(const Piece& a, const Piece& b) {
     const SystemFunctions functions(system(a, b));
-    SearchOptions settings = search_options(method_options_);
-    settings.maximum_boxes = options_.maximum_boxes;
-    settings.cluster_boxes = options_.cluster_boxes;
-    const Box& box = functions.system().box;
-    const SearchResult found = search(functions, box, {{box}}, contractor_maker(method_options_), settings);
+    SearchResult found = searched(functions, {{functions.system().box}}, kFirstBoxes);
+    if (!found.pending.empty() || !found.undecided.empty()) {
+      if (lie_on_one_curve(a, b)) {
+        leave(what_is_left(found), a, b, "the two pieces lie on one curve: they may have an arc in common");
+        found.pending.clear();
+        found.undecided.clear();
+      } else if (!found.pending.empty()) {
+        found = searched(functions, {found.pending, found.roots, found.undecided}, options_.maximum_boxes);
+      }
+    }
     for (const Solution& solution : found.solutions) {
       if (solution.claim == Claim::unique) settle(functions, solution.root, a, b);
     }
     for (const UndecidedBox& undecided : found.undecided) leave(undecided.box, a, b, undecided.reason);
     for (const Box& pending : found.pending) leave(pending, a, b, "the budget of boxes ended");
+  }
+
+  SearchResult searched(const SystemFunctions& functions, const SearchStart& start,
+                        std::uint64_t boxes) const {
+    SearchOptions settings = search_options(method_options_);
+    settings.maximum_boxes = std::min(boxes, options_.maximum_boxes);
+    settings.cluster_boxes = options_.cluster_boxes;
+    return search(functions, functions.system().box, start, contractor_maker(method_options_), settings);
+  }
+
+  /// The hull of all boxes that are not settled.
+  static Box what_is_left(const SearchResult& found) {
+    Box result(2);
+    const auto add = [&](const Box& box) {
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = hull(result[i], box[i]);
+    };
+    for (const UndecidedBox& undecided : found.undecided) add(undecided.box);
+    for (const Box& pending : found.pending) add(pending);
+    return result;
   }
 
   /// A certified root of a pair: one at an end of a piece, one inside of both, or one beyond their ends.

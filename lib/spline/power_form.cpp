@@ -27,6 +27,16 @@ std::vector<PowerForm> power_forms(const Matrix<Rational>& points) {
   return forms;
 }
 
+/// The polynomial times a common denominator; not for zero.
+IntegerPolynomial integer_multiple(const PowerForm& a) {
+  mpz_class denominator = 1;
+  for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
+  std::vector<mpz_class> integers;
+  for (const Rational& c : a) integers.emplace_back(Rational(c * denominator).get_num());
+  while (integers.back() == 0) integers.pop_back();
+  return IntegerPolynomial(std::move(integers));
+}
+
 Matrix<Rational> projected(const Matrix<Rational>& homogeneous) {
   Matrix<Rational> points(homogeneous.rows(), homogeneous.columns() - 1);
   for (std::size_t i = 0; i < points.rows(); ++i) {
@@ -75,12 +85,7 @@ bool is_zero(const PowerForm& a) {
 
 std::vector<RationalInterval> unit_roots(const PowerForm& a, int bits) {
   if (is_zero(a)) return {};
-  mpz_class denominator = 1;
-  for (const Rational& c : a) denominator = lcm(denominator, c.get_den());
-  std::vector<mpz_class> integers;
-  for (const Rational& c : a) integers.emplace_back(Rational(c * denominator).get_num());
-  while (integers.back() == 0) integers.pop_back();
-  RealRoots roots(IntegerPolynomial(std::move(integers)), {Rational(0), Rational(1)});
+  RealRoots roots(integer_multiple(a), {Rational(0), Rational(1)});
   const Rational width = pow(Rational(2), -bits);
   std::vector<RationalInterval> result;
   for (std::size_t i = 0; i < roots.roots().size(); ++i) {
@@ -90,6 +95,10 @@ std::vector<RationalInterval> unit_roots(const PowerForm& a, int bits) {
     result.push_back({roots.roots()[i].lower, roots.roots()[i].upper});
   }
   return result;
+}
+
+bool has_real_root(const PowerForm& a) {
+  return is_zero(a) || !RealRoots(integer_multiple(a), {}).roots().empty();
 }
 
 RationalInterval range_on(const PowerForm& a, const RationalInterval& t) {

@@ -22,6 +22,9 @@ bool is_zero(const PowerForm& a);
 /// are told exactly. None for the zero polynomial.
 std::vector<RationalInterval> unit_roots(const PowerForm& a, int bits);
 
+/// Whether it vanishes at any real number; zero does.
+bool has_real_root(const PowerForm& a);
+
 /// An interval that contains the values of the polynomial at the numbers between the two, which lie in
 /// [-1, 1]: about the middle, by a bound of the derivative there.
 RationalInterval range_on(const PowerForm& a, const RationalInterval& t);

@@ -139,9 +139,27 @@ TEST(Intersections, OfTangentCurvesAreUndecidedAtTheTangency) {
 
 TEST(Intersections, OfACommonArcAreUndecided) {
   const auto curve = bezier({{-1, 1}, {0, -1}, {1, 1}});
-  const auto found = intersections(curve, curve, {.maximum_boxes = 200});
-  EXPECT_FALSE(found.is_complete());
+  const auto found = intersections(curve, curve);
   EXPECT_EQ(found.points.size(), 2U);  // the ends
+  ASSERT_EQ(found.undecided.size(), 1U);
+  EXPECT_EQ(found.undecided[0].reason, "the two pieces lie on one curve: they may have an arc in common");
+  EXPECT_EQ(found.undecided[0].first, Interval(0, 1));
+  // Parts of one curve that meet in an arc: [1/4, 3/4] and [1/2, 1], both without rounding.
+  const auto exact = converted<Rational>(curve);
+  const auto part = [&](long from, long to) {
+    return converted<double>(restricted(exact, Rational(Rational(from) / 4), Rational(Rational(to) / 4)));
+  };
+  const auto parts = intersections(part(1, 3), part(2, 4));
+  ASSERT_EQ(parts.undecided.size(), 1U);
+  EXPECT_TRUE(subset(Interval(0.5, 0.75), parts.undecided[0].first));
+  EXPECT_TRUE(subset(Interval(0.5, 0.75), parts.undecided[0].second));
+  EXPECT_EQ(parts.points.size(), 2U);
+  // The report's curve with itself: an arc a span, and no more.
+  const auto report = report_curve<double>();
+  const auto itself = intersections(report, report);
+  EXPECT_FALSE(itself.is_complete());
+  for (const UndecidedIntersection& left : itself.undecided)
+    EXPECT_NEAR(midpoint(left.first), midpoint(left.second), 0.1);
 }
 
 /// How often the curve crosses a segment: the roots of its signed distance, exactly.
