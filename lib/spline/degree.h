@@ -123,8 +123,8 @@ BSplineCurve<T> elevated(const BSplineCurve<T>& curve, int by = 1) {
 
 /// A curve of one degree less near the given one, clamped, with the fewest knots that the tolerance allows:
 /// the error bound is at most the larger of the tolerance and what the pieces must move by. Exact where the
-/// curve has a lower degree. Over doubles give a tolerance of some roundings, or no knot will go. Throws
-/// InputError for a degree below 2.
+/// curve has a lower degree. Over doubles give a tolerance of some roundings, or no knot will go. `removed`
+/// counts the knots taken out between the pieces. Throws InputError for a degree below 2.
 template <class T>
 KnotRemoval<T> reduced(const BSplineCurve<T>& curve, const T& tolerance) {
   if (curve.degree() < 2)
