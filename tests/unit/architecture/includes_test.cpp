@@ -35,6 +35,7 @@ const Table& allowed() {
       {"construction", {"homotopy"}},
       {"local_search", {"certification"}},
       {"packing", {"box_solver"}},
+      {"spline", {"polynomial", "univariate", "box_solver"}},
       {"experiments/corpus", {"covering", "geometry", "packing"}},
       {"experiments/process", {}},
       {"experiments/peers", {"experiments/process", "box_solver"}},
@@ -44,7 +45,7 @@ const Table& allowed() {
       {"experiments/runner", {"experiments/tasks", "experiments/provenance.h"}},
       {"experiments/reporting", {"experiments/runner"}},
       {"experiments/commands", {"experiments/reporting", "verifier"}},
-      {"experiments/microbenchmarks", {"experiments/tasks", "linear_program"}},
+      {"experiments/microbenchmarks", {"experiments/tasks", "linear_program", "spline"}},
       {"experiments/provenance.h", {}},
   };
   return table;
